@@ -10,8 +10,8 @@
 #include "cli/engine/computed_calls.hpp"
 #include "cli/engine/other_control.hpp"
 #include "cli/engine/read.hpp"
+#include "cli/engine/row_choice.hpp"
 #include "rules/finding_order.hpp"
-#include "rules/words/row_indexes.hpp"
 
 #include <algorithm>
 #include <atomic>
@@ -19,7 +19,6 @@
 #include <new>
 #include <string>
 #include <string_view>
-#include <unordered_set>
 #include <utility>
 
 namespace maclint::cli {
@@ -38,38 +37,6 @@ struct SeenFile {
 };
 
 using Group = std::vector<std::size_t>; ///< places in the snapshot
-
-/// Rows that run, chosen once for all files: what is made of them serves all programs of a control.
-struct RowChoice {
-    explicit RowChoice(const Snapshot& snapshot)
-        : is_wanted(all_rule_rows().size()) {
-        std::unordered_set<const RuleStates*> seen;
-        for (const SnapshotFile& file : snapshot.files) {
-            if (!file.input.asked || !seen.insert(file.settings.rules.get()).second) continue;
-            for (std::size_t i = 0; i < is_wanted.size(); ++i)
-                if (file.settings.rules->rows()[i].on) is_wanted[i] = true;
-        }
-        std::vector<const RuleRow*> rows;
-        std::vector<const RuleRow*> every;
-        for (const RuleRow& row : all_rule_rows()) {
-            every.push_back(&row);
-            if (is_wanted[row.index]) rows.push_back(&row);
-        }
-        wanted = std::make_shared<const RowIndexes>(std::move(rows));
-        all = std::make_shared<const RowIndexes>(std::move(every));
-    }
-
-    /// Whether it is among those that some file wants; of a rule all its rows.
-    [[nodiscard]] bool wants(const NamedRule& named) const {
-        if (named.row != nullptr) return is_wanted[named.row->index];
-        return std::ranges::all_of(rows_of(*named.rule),
-                                   [&](const RuleRow& row) { return is_wanted[row.index]; });
-    }
-
-    std::vector<bool> is_wanted; ///< by a file that was asked for, in the order of all_rule_rows()
-    std::shared_ptr<const RowIndexes> wanted;
-    std::shared_ptr<const RowIndexes> all; ///< for groups in which a comment allows what no file wants
-};
 
 /// The work on one snapshot.
 class Run {
@@ -272,13 +239,13 @@ class Run {
         const Rule& unused_suppression = *find_rule("MAC001");
         std::vector<bool> wanted(all_rules().size());
         std::vector<const RuleStates*> seen;
-        Selection selection{.rules = {}, .rows = rows_.wanted};
+        Selection selection{.rules = {}, .rows = rows_.wanted()};
         for (const FileRules& file : files) {
             const RuleStates& states = *file.rules;
             if (states.is_on(unused_suppression))
                 for (const NamedRule& named : rules_in_suppressions(*file.file)) {
                     wanted[RuleStates::index_of(*named.rule)] = true;
-                    if (!rows_.wants(named)) selection.rows = rows_.all;
+                    if (!rows_.wants(named)) selection.rows = rows_.all();
                 }
             if (std::ranges::find(seen, &states) != seen.end()) continue;
             seen.push_back(&states);
