@@ -62,7 +62,8 @@ std::string list_of(const std::vector<NamedRule>& named) {
     std::vector<std::string> counts;
     if (!rules.empty()) counts.push_back(counted(rules.size(), "rule"));
     if (!rows.empty()) counts.push_back(counted(rows.size(), "row"));
-    return plain_list(rules, ListedRows::left_out) + list_of_rows(rows) + "\n" + enumerate(counts);
+    const std::string heading = rules.empty() || rows.empty() ? "" : "\nrows\n";
+    return plain_list(rules, ListedRows::left_out) + heading + list_of_rows(rows) + "\n" + enumerate(counts);
 }
 
 } // namespace

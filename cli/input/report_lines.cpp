@@ -19,12 +19,10 @@ constexpr std::string_view blanks = " \t";
 
 bool is_digit(char c) { return digits.find(c) != std::string_view::npos; }
 
-/// Takes the key of a row off the front, with its slash.
-bool take_key(std::string_view& text, std::string_view code) {
+/// Takes the key of a row off the front, with its slash, where the rule has such a row.
+void take_key(std::string_view& text, std::string_view code) {
     const std::size_t end = std::min(text.size(), text.find_first_of("] :=,\t"));
-    if (find_rule_row(std::string(code).append(text.substr(0, end))) == nullptr) return false;
-    text.remove_prefix(end);
-    return true;
+    if (find_rule_row(std::string(code).append(text.substr(0, end))) != nullptr) text.remove_prefix(end);
 }
 
 /// Takes a code off the front, with the key of one of its rows where there is one; nullptr: no rule has it.
@@ -33,7 +31,8 @@ const Rule* take_code(std::string_view& text) {
     const Rule* rule = find_rule(code);
     if (rule == nullptr || rule->code != code) return nullptr;
     text.remove_prefix(code_length);
-    return text.starts_with('/') && !take_key(text, code) ? nullptr : rule;
+    if (text.starts_with('/')) take_key(text, code);
+    return rule;
 }
 
 /// Takes a number off the front; false: there is none.

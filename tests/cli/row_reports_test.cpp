@@ -19,7 +19,6 @@ namespace {
 using nlohmann::json;
 using test::HandMade;
 using testing::AllOf;
-using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::Not;
 
