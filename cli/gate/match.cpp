@@ -134,10 +134,10 @@ class PairedFiles {
     std::vector<Renamed> pairs_;
 };
 
-class Matching {
+class BaselineMatching {
   public:
-    Matching(const Baseline& baseline, const std::vector<FoundPlaces>& findings, const LookedAt& looked_at,
-             const std::function<bool(const std::string&)>& exists)
+    BaselineMatching(const Baseline& baseline, const std::vector<FoundPlaces>& findings,
+                     const LookedAt& looked_at, const std::function<bool(const std::string&)>& exists)
         : findings_(findings)
         , looked_at_(looked_at) {
         for (const auto& [place, count, block] : baseline) {
@@ -228,7 +228,7 @@ class Matching {
 
 Matched match(const Baseline& baseline, const std::vector<FoundPlaces>& findings, const LookedAt& looked_at,
               const std::function<bool(const std::string& name)>& exists) {
-    return Matching(baseline, findings, looked_at, exists).match(baseline);
+    return BaselineMatching(baseline, findings, looked_at, exists).match(baseline);
 }
 
 Baseline out_of_sight(const Baseline& baseline, const LookedAt& looked_at,
