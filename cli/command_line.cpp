@@ -179,7 +179,9 @@ Request rules_request(const Words& words) {
 }
 
 void declare_explain(CLI::App& app, Words& words) {
-    app.add_option("RULE", words.rule, "Code or name, in any case, with the key of a row or without, or a part of it")->type_name("");
+    app.add_option("RULE", words.rule,
+                   "Code or name, in any case, with the key of a row or without, or a part of it")
+        ->type_name("");
     app.add_option("--color", words.colour, "auto, always or never; NO_COLOR is respected")
         ->type_name("WHEN");
 }

@@ -56,8 +56,8 @@ std::optional<std::string> closest(std::string_view word, std::span<const std::s
     const bool has_digit = given.find_first_of("0123456789") != std::string::npos;
     std::size_t least = (has_digit ? 1 : std::max<std::size_t>(1, given.size() / 3)) + 1;
     for (const std::string& candidate : candidates) {
-        const auto [shorter, longer] = std::minmax(given.size(), candidate.size());
-        if (longer - shorter >= least) continue;
+        // As many letters as one of them is longer are wrong at least.
+        if (candidate.size() >= given.size() + least || given.size() >= candidate.size() + least) continue;
         const std::size_t apart = distance(given, in_lower_case(candidate));
         if (apart >= least || apart >= candidate.size()) continue;
         least = apart;

@@ -83,7 +83,8 @@ std::vector<Finding> check(const Selection& selection, const Thing& thing, std::
 dataflow::FactSet facts_for(const Rule& rule) {
     constexpr dataflow::FactSet of_paths = dataflow::facts<dataflow::Store, dataflow::Clobber>();
     const bool asks_for_modes = std::ranges::any_of(rows_of(rule), [](const RuleRow& row) {
-        return std::ranges::any_of(row.rows, [](const RowForCode& one) { return one.row->kept || !one.row->under.empty(); });
+        return std::ranges::any_of(
+            row.rows, [](const RowForCode& one) { return one.row->kept || !one.row->under.empty(); });
     });
     dataflow::FactSet facts = rule.facts;
     if (rule.data_flow) facts |= of_paths;

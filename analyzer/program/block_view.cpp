@@ -1,5 +1,6 @@
 //! Questions about blocks that their runs answer without a look at each.
 #include "analyzer/program/block_view.hpp"
+
 #include "analyzer/program/tables.hpp"
 
 #include <algorithm>

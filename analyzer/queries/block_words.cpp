@@ -37,7 +37,8 @@ bool takes(const ControlModel& control, double code, const Word& word) {
     case ModalRole::offset_suspension:
     case ModalRole::return_level:
     case ModalRole::cutting_mode: return false;
-    case ModalRole::motion: return word.address.size() > 1 || of_moves.find(word.address) != std::string_view::npos;
+    case ModalRole::motion:
+        return word.address.size() > 1 || of_moves.find(word.address) != std::string_view::npos;
     default: return true;
     }
 }
@@ -48,7 +49,8 @@ bool may_belong_to_another(const WordsOfBlock& block, const Word& code, const Wo
     const ControlModel& control = block.analysis.control();
     return std::ranges::any_of(block.words, [&](const Word& other) {
         const auto* number = std::get_if<Literal>(&other.value);
-        return &other != &code && other.address == "G" && (number == nullptr || takes(control, number->value, word));
+        return &other != &code && other.address == "G" &&
+               (number == nullptr || takes(control, number->value, word));
     });
 }
 

@@ -27,8 +27,8 @@ struct WordsOfBlock {
 /// Whether the block surely calls a program, or holds a code that is computed and may.
 [[nodiscard]] bool calls(const WordsOfBlock& block);
 
-/// Whether a word may belong to another code of the block than the one given: F to the G1 beside a G4. Codes that only
-/// switch how others are read (G90, G54, G17) take no words.
+/// Whether a word may belong to another code of the block than the one given: F to the G1 beside a G4. Codes
+/// that only switch how others are read (G90, G54, G17) take no words.
 [[nodiscard]] bool may_belong_to_another(const WordsOfBlock& block, const Word& code, const Word& word);
 
 /// Whether the program makes modal calls, which act on the blocks after them.

@@ -40,7 +40,7 @@ N4 G40
 N5 G0 X80
 END
 )nc"}},
-    .sources = {"the rows"},
+    .sources = {"SEED-003:12717", "T: further rows name theirs"},
     .check = RowCheck{.says = RowStatement::precedes, .check = &check},
 };
 

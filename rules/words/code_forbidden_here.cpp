@@ -22,25 +22,22 @@ extern const Rule code_forbidden_here{
     .messages = {{"under", "Code {0} while {1} is in force: {2}.", "Switch {1} off before."},
                  {"section", "Code {0} in {1}: {2}.", "Move it to where it belongs."}},
     .bad = {{"fanuc", R"nc(
-O9527(DRILL)
+O9527(PROBE)
 G90 G54 G0 X0 Y0
-G43 Z50. H1
-S2000 M3
-G81 X10. Y10. Z-30. R2. F150.
-G28 G91 Z0
+G41 G1 X10. D1 F200.
+G31 X50. F50.
+G40 G1 X0
 M30
 )nc"}},
     .good = {{"fanuc", R"nc(
-O9527(DRILL)
+O9527(PROBE)
 G90 G54 G0 X0 Y0
-G43 Z50. H1
-S2000 M3
-G81 X10. Y10. Z-30. R2. F150.
-G80
-G28 G91 Z0
+G41 G1 X10. D1 F200.
+G40 G1 X20.
+G31 X50. F50.
 M30
 )nc"}},
-    .sources = {"the rows"},
+    .sources = {"T: alarm 036; further rows name theirs"},
     .check = RowCheck{.says = RowStatement::refused, .check = &check},
 };
 

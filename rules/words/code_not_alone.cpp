@@ -39,7 +39,7 @@ N3 G40
 N4 G0 X80
 END
 )nc"}},
-    .sources = {"the rows"},
+    .sources = {"SEED-003:12716", "T: further rows name theirs"},
     .check = RowCheck{.says = RowStatement::alone, .check = &check},
 };
 

@@ -21,18 +21,16 @@ extern const Rule integer_word_decimal{
     .precision = Precision::high,
     .messages = {{"point", "Decimal point in '{0}' of {1}: {2}.", "Write the number without a point."}},
     .bad = {{"fanuc", R"nc(
-O9551(DWELL)
-G90 G54 G0 X0 Y0
-G4 P0.5
+O9551(CHANGE)
+G91 G30 P2. Z0
 M30
 )nc"}},
     .good = {{"fanuc", R"nc(
-O9551(DWELL)
-G90 G54 G0 X0 Y0
-G4 P500
+O9551(CHANGE)
+G91 G30 P2 Z0
 M30
 )nc"}},
-    .sources = {"the rows"},
+    .sources = {"CSDN-PS: alarm 007", "T: further rows name theirs"},
     .check = RowCheck{.says = RowStatement::whole, .check = &check},
 };
 

@@ -23,7 +23,8 @@ struct RowOfBlock {
     /// The first word of the block, other than the code, that has one of the addresses and a value; nullptr:
     /// none has.
     [[nodiscard]] const Word* find(std::string_view addresses) const;
-    /// The words with one of the addresses and a value that surely belong to the code, in the order of the text.
+    /// The words with one of the addresses and a value that surely belong to the code, in the order of the
+    /// text.
     [[nodiscard]] std::vector<const Word*> own(std::string_view addresses) const;
     /// The bytes of the word, for a message.
     [[nodiscard]] std::string text_of(const Word& word) const;

@@ -26,7 +26,8 @@ class RowPass {
     void look_at(const queries::WordsOfBlock& block, const RowIndex::Entry& entry, const Word& code);
     /// Whether nothing is left of the words of a block before: the code's group was surely cancelled.
     [[nodiscard]] bool is_first_of_its_kind(const BlockView& block, const RowForCode& row);
-    /// The codes of WordRow::under of which one is surely in force in the block, "G41 or G42"; empty: none is.
+    /// The codes of WordRow::under of which one is surely in force in the block, "G41 or G42"; empty: none
+    /// is.
     [[nodiscard]] std::string in_force(const BlockView& block, const WordRow& row);
 
     const ProgramAnalysis& analysis_;

@@ -22,6 +22,9 @@ constexpr WordRow rows[] = {
     {.says = whole,     .code = "G4", .words = "P", .controls = named_fanuc, .means = "time in ms",
      .effect = "the control stops", .severity = warning, .source = "T"},
 
+    {.says = takes_not, .code = "G4 G10", .words = "T", .controls = of_fanuc, .means = "tool",
+     .effect = "the control takes no tool in this block", .severity = warning, .alarms = {{{fanuc_30i, "245"}}}, .source = "GH-ALM"},
+
     // Reference points, probing, coordinate systems. G53 and G31 alone stand for a stop of look-ahead in some shops, G43
     // without H takes the number of the block before.
     {.says = needs,     .code = "G30", .words = axes, .means = "axes that return",
@@ -31,6 +34,9 @@ constexpr WordRow rows[] = {
      .alarms = {{{"FANUC 16i/18i/21i", "046"}, {fanuc_30i, "046"}}}, .source = "T"},
     {.says = refused,   .code = "G31", .under = "G41 G42", .controls = of_fanuc,
      .effect = "the control takes no skip move under compensation", .severity = warning, .source = "T"},
+    {.says = whole,     .code = "G30", .words = "P", .controls = of_fanuc, .means = "reference point",
+     .effect = "the control stops", .severity = warning,
+     .alarms = {{{"FANUC 16i/18i/21i", "007"}, {fanuc_30i, "007"}}}, .source = "CSDN-PS"},
     {.says = needs,     .code = "G52", .words = axes, .means = "local zero",
      .effect = "no zero is shifted", .severity = warning, .source = "T"},
     {.says = needs,     .code = "G92", .words = "X Y Z A B C U V W S", .means = "present position or highest speed",

@@ -27,16 +27,16 @@ extern const Rule value_not_allowed{
     .bad = {{"dinplus", R"nc(
 %TULO.NC
 MACHINING
-N1 G48 A120
+N1 G48 D1 A120
 END
 )nc"}},
     .good = {{"dinplus", R"nc(
 %TULO.NC
 MACHINING
-N1 G48 A50
+N1 G48 D1 A50
 END
 )nc"}},
-    .sources = {"the rows"},
+    .sources = {"SEED-003:12500", "T: further rows name theirs"},
     .check = RowCheck{.says = RowStatement::values, .check = &check},
 };
 

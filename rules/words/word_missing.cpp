@@ -40,7 +40,7 @@ G83 X10. Y10. Z-30. R2. Q5. F150.
 G80
 M30
 )nc"}},
-    .sources = {"GH-ALM: alarm 045", "the rows"},
+    .sources = {"GH-ALM: alarm 045", "SEED-003:15592", "T: further rows name theirs"},
     .check = RowCheck{.says = RowStatement::needs, .check = &check},
 };
 

@@ -23,16 +23,17 @@ extern const Rule word_not_taken{
     .bad = {{"fanuc", R"nc(
 O9579(DWELL)
 G90 G54 G0 X0 Y0
-G4 F2
+G4 X2. T5
 M30
 )nc"}},
     .good = {{"fanuc", R"nc(
 O9579(DWELL)
 G90 G54 G0 X0 Y0
 G4 X2.
+T5
 M30
 )nc"}},
-    .sources = {"the rows"},
+    .sources = {"GH-ALM: alarm 245", "T: further rows name theirs"},
     .check = RowCheck{.says = RowStatement::takes_not, .check = &check},
 };
 

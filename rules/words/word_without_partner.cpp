@@ -38,7 +38,7 @@ N3 G40
 N4 G0 X80
 END
 )nc"}},
-    .sources = {"the rows"},
+    .sources = {"SEED-003:12707", "T: further rows name theirs"},
     .check = RowCheck{.says = RowStatement::only_with, .check = &check},
 };
 
@@ -49,7 +49,8 @@ void check(const RowOfBlock& block, Reporter& reporter) {
     if (block.find(row.others) != nullptr) return;
     for (const Word* word : block.own(row.words))
         block.report(reporter, *word, "alone",
-                     {block.text_of(*word), block.text_of(block.code), either_of(row.others), std::string(row.effect)});
+                     {block.text_of(*word), block.text_of(block.code), either_of(row.others),
+                      std::string(row.effect)});
 }
 
 } // namespace

@@ -35,7 +35,7 @@ G90 G54 G0 X0 Y0
 G4 P500
 M30
 )nc"}},
-    .sources = {"the rows"},
+    .sources = {"SEED-003:18040", "T: further rows name theirs"},
     .check = RowCheck{.says = RowStatement::excludes, .check = &check},
 };
 

@@ -121,13 +121,15 @@ TEST(RuleRows, HaveAliasesThatNoRuleHas) {
 }
 
 /// Names and lines of the rows that a program raises: "MAC523/G83.Q 3".
-std::vector<std::string> raised_in(std::string_view dialect, const std::string& text, const std::string& control = {}) {
+std::vector<std::string> raised_in(std::string_view dialect, const std::string& text,
+                                   const std::string& control = {}) {
     cli::Overrides overrides;
     overrides.dialect = find_dialect(dialect);
     if (!control.empty()) overrides.control = control;
     overrides.select = codes_of_row_rules();
     std::vector<std::string> all;
-    for (const auto& [finding, suppressed] : lint_texts({{"example.nc", text}}, std::move(overrides)).findings)
+    for (const auto& [finding, suppressed] :
+         lint_texts({{"example.nc", text}}, std::move(overrides)).findings)
         all.push_back(finding.row->name() + " " +
                       std::to_string(finding.source->position(finding.span.begin).line));
     return all;
@@ -146,13 +148,15 @@ TEST(RowsOfBlocks, AreFoundFarInsideARowOfPlainBlocks) {
 }
 
 TEST(RowsOfBlocks, LeaveValuesThatAreCalculatedAlone) {
-    EXPECT_THAT(raised_in("fanuc", "O1\nG30 P#1 X0\nG30 P[2+3] X0\nG30 P5 X0\nM30\n"), ElementsAre("MAC576/G30.P 4"));
+    EXPECT_THAT(raised_in("fanuc", "O1\nG30 P#1 X0\nG30 P[2+3] X0\nG30 P5 X0\nM30\n"),
+                ElementsAre("MAC576/G30.P 4"));
 }
 
 TEST(RowsOfBlocks, TakeNoWordThatBelongsToAnotherCode) {
     EXPECT_THAT(raised_in("dinplus", "MACHINING\nN1 G4 F1200\nN2 G1 X50 F1200 G4 D2\nEND\n"),
                 ElementsAre("MAC576/G4.F 2"));
-    EXPECT_THAT(raised_in("fanuc", "O1\nG90 G30 P5 X0\nG30 G10 L2 P5 X0\nM30\n"), ElementsAre("MAC576/G30.P 2"))
+    EXPECT_THAT(raised_in("fanuc", "O1\nG90 G30 P5 X0\nG30 G10 L2 P5 X0\nM30\n"),
+                ElementsAre("MAC576/G30.P 2"))
         << "G90 takes no words, G10 may";
 }
 
@@ -172,8 +176,9 @@ TEST(KeptWords, MayComeFromTheCaller) {
 }
 
 TEST(CodesUnderOthers, AreRefusedWhereOneIsSurelyInForce) {
-    EXPECT_THAT(raised_in("fanuc", "O1\nG41 G1 X1. D1\nG31 X5.\nG40 X9.\nG31 X5.\nM30\n"), ElementsAre("MAC527/G31-G41 3"));
-    EXPECT_THAT(raised_in("fanuc", "O1\nIF[#1EQ1]GOTO5\nG41 G1 X1. D1\nN5 G31 X5.\nM30\n"), IsEmpty())
+    EXPECT_THAT(raised_in("fanuc", "O1\nG41 G1 X1. D1\nG31 X5.\nG40 X9.\nG31 X5.\nM30\n"),
+                ElementsAre("MAC527/G31-G41 3"));
+    EXPECT_THAT(raised_in("fanuc", "O1\nIF[#500EQ1]GOTO5\nG41 G1 X1. D1\nN5 G31 X5.\nM30\n"), IsEmpty())
         << "on some path alone";
     EXPECT_THAT(raised_in("fanuc", "O1\nG41 G1 X1. D1\nG31 X5.\nM30\n", "haas"), IsEmpty());
 }
@@ -184,8 +189,9 @@ TEST(RowsOfSections, HoldThereAlone) {
 }
 
 TEST(OrderOfBlocks, LooksForTheNextCode) {
-    EXPECT_THAT(raised_in("dinplus", "MACHINING\nN1 G41\nN2 M8\nN3 G1 X5\nN4 G40\nN5 G41\nN6 G2 X9 Z1 R9\nEND\n"),
-                ElementsAre("MAC580/G41 6"));
+    EXPECT_THAT(
+        raised_in("dinplus", "MACHINING\nN1 G41\nN2 M8\nN3 G1 X5\nN4 G40\nN5 G41\nN6 G2 X9 Z1 R9\nEND\n"),
+        ElementsAre("MAC580/G41 6"));
     EXPECT_THAT(raised_in("dinplus", "MACHINING\nN1 G41\nN2 X5\nN3 G2 X9 Z1 R9\nEND\n"), IsEmpty())
         << "a move without a code may be straight";
 }

@@ -19,7 +19,7 @@ using testing::ElementsAre;
 using testing::IsEmpty;
 using testing::SizeIs;
 
-constexpr std::ptrdiff_t most_lines = 130;
+constexpr std::ptrdiff_t most_lines = 125; ///< beside its includes
 /// Lists of rows are as long as there is something to say.
 bool is_list(std::string_view path) {
     return path == "rules/registry.cpp" || path.starts_with("rules/words/tables_");
@@ -31,10 +31,16 @@ std::vector<ProjectFile> rule_files() {
     return files;
 }
 
+std::ptrdiff_t count_of(std::string_view text, std::string_view part) {
+    std::ptrdiff_t count = 0;
+    for (auto at = text.find(part); at != std::string_view::npos; at = text.find(part, at + 1)) ++count;
+    return count;
+}
+
 std::vector<std::string> too_long(const std::vector<ProjectFile>& files) {
     std::vector<std::string> found;
     for (const ProjectFile& file : files) {
-        const auto lines = std::ranges::count(file.text, '\n');
+        const auto lines = std::ranges::count(file.text, '\n') - count_of(file.text, "\n#include ");
         if (lines > most_lines && !is_list(file.path))
             found.push_back(file.path + " has " + std::to_string(lines) + " lines");
     }
@@ -89,11 +95,11 @@ TEST(RuleFiles, AskNotWhichLanguageTheyLookAt) {
 }
 
 TEST(RuleFilesCheck, FindsALongFileButNotTheRegistry) {
-    const std::string lines(131, '\n');
+    const std::string lines = std::string(126, '\n') + "\n#include <span>";
     EXPECT_THAT(too_long({{"rules/flow/a.cpp", lines},
                           {"rules/flow/b.cpp", lines.substr(1)},
                           {"rules/registry.cpp", lines}}),
-                ElementsAre("rules/flow/a.cpp has 131 lines"));
+                ElementsAre("rules/flow/a.cpp has 126 lines"));
 }
 
 TEST(RuleFilesCheck, FindsValueTablesInCodeButNotInComments) {
