@@ -49,7 +49,7 @@ std::vector<Finding> check_words(const ProgramAnalysis& analysis, std::span<cons
         if (taking.empty() && index.empty()) continue;
         for_each_block_with_words(
             program, section.items,
-            [&](const WordSummary& run) { return rule_wants(run) || index.wants_run(run); },
+            [&](const PlainRun& run) { return rule_wants(run.words) || index.wants_run(program, run); },
             [&](const WordSummary& block) { return rule_wants(block) || index.wants_block(block); },
             [&](const BlockView& block, std::span<const Word> words, const WordSummary* summary) {
                 const queries::WordsOfBlock with_words{analysis, block, words, modal_calls, section};

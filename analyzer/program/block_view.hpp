@@ -289,7 +289,7 @@ class WordReader {
 
 /// `visit(BlockView, words, summary)` for the blocks among the items that have words; the summary is nullptr
 /// where it is not known. Plain blocks are only decoded where `wanted(summary)` wants the block, and not even
-/// looked at where `run_wanted(summary)` does not want what is known of all blocks of their run together.
+/// looked at where `run_wanted(run)` does not want the run.
 template<class RunWanted, class Wanted, class Visit>
 void for_each_block_with_words(const Program& program, Slice items, const RunWanted& run_wanted,
                                const Wanted& wanted, const Visit& visit) {
@@ -302,13 +302,15 @@ void for_each_block_with_words(const Program& program, Slice items, const RunWan
             continue;
         }
         const auto& run = std::get<PlainRun>(item);
-        if (run_wanted(run.words)) reader.visit_words(program, run, run.span, wanted, visit);
+        if (run_wanted(run)) reader.visit_words(program, run, run.span, wanted, visit);
     }
 }
 /// The same over a whole program, for who wants a block whose summary would be wanted of a run.
 template<class Wanted, class Visit>
 void for_each_block_with_words(const Program& program, const Wanted& wanted, const Visit& visit) {
-    for_each_block_with_words(program, {0, static_cast<Id>(program.items.size())}, wanted, wanted, visit);
+    for_each_block_with_words(
+        program, {0, static_cast<Id>(program.items.size())},
+        [&](const PlainRun& run) { return wanted(run.words); }, wanted, visit);
 }
 
 /// `visit(BlockView, words)` for the blocks of the stretch that have words.

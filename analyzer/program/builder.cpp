@@ -105,8 +105,10 @@ void ProgramBuilder::end_block(Block block) {
     program_.items.emplace_back(block);
 }
 
-void ProgramBuilder::add_run(PlainRun run, std::span<const ModalSetting> net) {
+void ProgramBuilder::add_run(PlainRun run, std::span<const ModalSetting> net,
+                             std::span<const CodeWords> beside_codes) {
     run.net = append(program_.settings, net);
+    run.beside_codes = append(program_.code_words, beside_codes);
     program_.items.emplace_back(run);
 }
 

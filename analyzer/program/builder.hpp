@@ -92,8 +92,9 @@ class ProgramBuilder {
     void begin_block();
     /// `block` has all but its words and effects, which are those since begin_block().
     void end_block(Block block);
-    /// Blocks that are not stored one by one; `net` is what they leave behind.
-    void add_run(PlainRun run, std::span<const ModalSetting> net);
+    /// Blocks that are not stored one by one; `net` is what they leave behind, `beside_codes` what stands
+    /// beside codes.
+    void add_run(PlainRun run, std::span<const ModalSetting> net, std::span<const CodeWords> beside_codes);
 
     // ---- what a block holds; between begin_block() and end_block()
     void add_word(Word word) { program_.words.push_back(word); }

@@ -221,6 +221,7 @@ void Program::fit() {
     variables.shrink_to_fit();
     labels.shrink_to_fit();
     settings.shrink_to_fit();
+    code_words.shrink_to_fit();
 }
 
 } // namespace maclint

@@ -318,6 +318,13 @@ struct WordSummary {
     syntax::CodeSet codes = {};
 };
 
+/// The addresses that stand beside the codes of a kind, in a run.
+struct CodeWords {
+    syntax::CodeSet::Kind kind;
+    syntax::AddressSet any; ///< in one of its blocks
+    syntax::AddressSet all; ///< in each of them
+};
+
 /// Plain blocks in a row, not stored one by one; see block_view.hpp.
 struct PlainRun {
     Span span;
@@ -327,7 +334,8 @@ struct PlainRun {
     std::uint8_t tables = 0; ///< row of Program::plain_tables by which they are read
     bool moves = false;      ///< at least one block moves an axis
     WordSummary words;
-    Slice net; ///< Program::settings: the last setting of every group it touches
+    Slice net;               ///< Program::settings: the last setting of every group it touches
+    Slice beside_codes = {}; ///< Program::code_words; empty, too, where there are too many kinds of codes
 
     [[nodiscard]] bool has_numbers() const { return lowest_number <= highest_number; }
 };
@@ -387,6 +395,7 @@ class Program {
     std::vector<Variable> variables; ///< those of effects that have lists of them
     std::vector<Label> labels;       ///< likewise
     std::vector<ModalSetting> settings;
+    std::vector<CodeWords> code_words;
     Names names;                 ///< of named variables
     SharedNames shared_names;    ///< of those that all programs share
     Names block_names;           ///< of named blocks

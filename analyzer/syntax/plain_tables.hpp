@@ -70,10 +70,18 @@ class CodeSet {
     [[nodiscard]] constexpr bool meets(CodeSet other) const {
         return ((low_ & other.low_) | (high_ & other.high_)) != 0;
     }
+    [[nodiscard]] constexpr bool empty() const { return (low_ | high_) == 0; }
     /// Whether `test(kind)` is true of one that both have.
     template<class Test>
     [[nodiscard]] constexpr bool any_common(CodeSet other, const Test& test) const {
         return any_of(low_ & other.low_, 0, test) || any_of(high_ & other.high_, 64, test);
+    }
+    template<class Visit>
+    constexpr void for_each(const Visit& visit) const {
+        (void)any_common(*this, [&](Kind kind) {
+            visit(kind);
+            return false;
+        });
     }
     friend constexpr bool operator==(CodeSet, CodeSet) = default;
 

@@ -100,7 +100,9 @@ class BlockWriter {
         case RowStatement::values:
             all.emplace_back(first(row.words), kept ? allowed_value(row) : refused_value(row));
             break;
-        case RowStatement::whole: all.emplace_back(first(row.words), value_of(first(row.words)) + (kept ? "" : ".")); break;
+        case RowStatement::whole:
+            all.emplace_back(first(row.words), value_of(first(row.words)) + (kept ? "" : "."));
+            break;
         case RowStatement::alone:
             if (!kept) all.emplace_back("S", "500");
             break;

@@ -53,30 +53,21 @@ syntax::AddressSet maybe(const syntax::PlainTables& tables, std::string_view lis
     return set;
 }
 
-/// Whether the row can be wrong in a block that holds these addresses.
-bool can_be_wrong(const RowIndex::Entry& entry, syntax::AddressSet there) {
+/// Whether the row can be wrong in one of several blocks with its code: `any` are the addresses of all of
+/// them, `all` those that each holds.
+bool can_be_wrong(const RowIndex::Entry& entry, syntax::AddressSet any, syntax::AddressSet all) {
     switch (entry.row->row->says) {
-    case RowStatement::needs: return !there.meets(entry.words);
+    case RowStatement::needs: return !all.meets(entry.words);
     case RowStatement::takes_not:
     case RowStatement::values:
-    case RowStatement::whole: return there.meets(entry.maybe_words);
-    case RowStatement::excludes: return there.meets(entry.maybe_words) && there.meets(entry.maybe_others);
-    case RowStatement::only_with: return there.meets(entry.maybe_words) && !there.meets(entry.others);
+    case RowStatement::whole: return any.meets(entry.maybe_words);
+    case RowStatement::excludes: return any.meets(entry.maybe_words) && any.meets(entry.maybe_others);
+    case RowStatement::only_with: return any.meets(entry.maybe_words) && !all.meets(entry.others);
     case RowStatement::alone:
     case RowStatement::precedes:
     case RowStatement::refused: return true;
     }
     return true;
-}
-
-/// Whether it can be wrong in one of several blocks that hold these together: what one lacks another may
-/// hold.
-bool can_be_wrong_in_one(const RowIndex::Entry& entry, syntax::AddressSet there) {
-    switch (entry.row->row->says) {
-    case RowStatement::needs: return true;
-    case RowStatement::only_with: return there.meets(entry.maybe_words);
-    default: return can_be_wrong(entry, there);
-    }
 }
 
 } // namespace
@@ -104,17 +95,23 @@ RowIndex::RowIndex(const ControlModel& control, std::string_view section, const 
     std::ranges::stable_sort(entries_, {}, &Entry::code);
 }
 
-bool RowIndex::wants_run(const WordSummary& blocks) const {
-    return blocks.codes.any_common(codes_, [&](syntax::CodeSet::Kind kind) {
-        return std::ranges::any_of(
-            by_kind_[kind], [&](const Entry& entry) { return can_be_wrong_in_one(entry, blocks.addresses); });
-    });
+bool RowIndex::wants_run(const Program& program, const PlainRun& run) const {
+    if (!run.words.codes.meets(codes_)) return false;
+    if (run.beside_codes.count == 0) return true;
+    return std::ranges::any_of(
+        std::span(program.code_words).subspan(run.beside_codes.first, run.beside_codes.count),
+        [&](const CodeWords& beside) {
+            return std::ranges::any_of(by_kind_[beside.kind], [&](const Entry& entry) {
+                return can_be_wrong(entry, beside.any, beside.all);
+            });
+        });
 }
 
 bool RowIndex::wants_block(const WordSummary& block) const {
     return block.codes.any_common(codes_, [&](syntax::CodeSet::Kind kind) {
-        return std::ranges::any_of(by_kind_[kind],
-                                   [&](const Entry& entry) { return can_be_wrong(entry, block.addresses); });
+        return std::ranges::any_of(by_kind_[kind], [&](const Entry& entry) {
+            return can_be_wrong(entry, block.addresses, block.addresses);
+        });
     });
 }
 

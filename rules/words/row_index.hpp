@@ -29,8 +29,8 @@ class RowIndex {
              std::span<const RuleRow* const> rows);
 
     [[nodiscard]] bool empty() const { return entries_.empty(); }
-    /// Whether a row can be wrong in one of several blocks, or in the only one, of which this is known.
-    [[nodiscard]] bool wants_run(const WordSummary& blocks) const;
+    /// Whether a row can be wrong in one of the run's blocks, or in a block of which this is known.
+    [[nodiscard]] bool wants_run(const Program& program, const PlainRun& run) const;
     [[nodiscard]] bool wants_block(const WordSummary& block) const;
     /// The rows of the code that the word is; none where it is none.
     [[nodiscard]] std::span<const Entry> rows_at(const Word& word) const;

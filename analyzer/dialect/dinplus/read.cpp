@@ -113,7 +113,7 @@ class Language {
   private:
     void close_run() {
         if (run_.empty()) return;
-        programs_.current().builder.add_run(run_.run(run_section_), run_.net());
+        programs_.current().builder.add_run(run_.run(run_section_), run_.net(), run_.beside_codes());
         run_ = {};
     }
 

@@ -205,7 +205,7 @@ class Family {
 
     void close_run() {
         if (run_.empty()) return;
-        program().add_run(run_.run(0), run_.net());
+        program().add_run(run_.run(0), run_.net(), run_.beside_codes());
         run_ = {};
     }
 
