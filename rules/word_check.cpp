@@ -1,6 +1,7 @@
 //! The pass over the words.
 #include "rules/word_check.hpp"
 
+#include "analyzer/program/lines_with.hpp"
 #include "analyzer/workspace/program_analysis.hpp"
 #include "rules/words/row_indexes.hpp"
 #include "rules/words/row_pass.hpp"
@@ -49,7 +50,12 @@ std::vector<Finding> check_words(const ProgramAnalysis& analysis, std::span<cons
         if (taking.empty() && index.empty()) continue;
         for_each_block_with_words(
             program, section.items,
-            [&](const PlainRun& run) { return rule_wants(run.words) || index.wants_run(program, run); },
+            [&](const PlainRun& run, const auto& take) {
+                if (rule_wants(run.words))
+                    take(run.span);
+                else if (index.wants_run(program, run)) // its codes stand in few lines of CAM output
+                    for_each_line_with(index.letters(), program.text, run.span, take);
+            },
             [&](const WordSummary& block) { return rule_wants(block) || index.wants_block(block); },
             [&](const BlockView& block, std::span<const Word> words, const WordSummary* summary) {
                 const queries::WordsOfBlock with_words{analysis, block, words, modal_calls, section};

@@ -288,10 +288,10 @@ class WordReader {
 } // namespace blocks
 
 /// `visit(BlockView, words, summary)` for the blocks among the items that have words; the summary is nullptr
-/// where it is not known. Plain blocks are only decoded where `wanted(summary)` wants the block, and not even
-/// looked at where `run_wanted(run)` does not want the run.
-template<class RunWanted, class Wanted, class Visit>
-void for_each_block_with_words(const Program& program, Slice items, const RunWanted& run_wanted,
+/// where it is not known. Plain blocks are only looked at in the parts of their run for which
+/// `parts_of(run, take)` calls `take(Span)`, and only decoded where `wanted(summary)` wants the block.
+template<class PartsOf, class Wanted, class Visit>
+void for_each_block_with_words(const Program& program, Slice items, const PartsOf& parts_of,
                                const Wanted& wanted, const Visit& visit) {
     blocks::WordReader reader;
     for (Id i = items.first; i < items.first + items.count; ++i) {
@@ -302,7 +302,7 @@ void for_each_block_with_words(const Program& program, Slice items, const RunWan
             continue;
         }
         const auto& run = std::get<PlainRun>(item);
-        if (run_wanted(run)) reader.visit_words(program, run, run.span, wanted, visit);
+        parts_of(run, [&](Span part) { reader.visit_words(program, run, part, wanted, visit); });
     }
 }
 /// The same over a whole program, for who wants a block whose summary would be wanted of a run.
@@ -310,7 +310,10 @@ template<class Wanted, class Visit>
 void for_each_block_with_words(const Program& program, const Wanted& wanted, const Visit& visit) {
     for_each_block_with_words(
         program, {0, static_cast<Id>(program.items.size())},
-        [&](const PlainRun& run) { return wanted(run.words); }, wanted, visit);
+        [&](const PlainRun& run, const auto& take) {
+            if (wanted(run.words)) take(run.span);
+        },
+        wanted, visit);
 }
 
 /// `visit(BlockView, words)` for the blocks of the stretch that have words.

@@ -87,10 +87,8 @@ class BlockWriter {
         const auto add = [&](std::string_view address) { all.emplace_back(address, value_of(address)); };
         switch (row.says) {
         case RowStatement::needs:
-            if (kept) add(first(row.words));
-            break;
         case RowStatement::takes_not:
-            if (!kept) add(first(row.words));
+            if (kept == (row.says == RowStatement::needs)) add(first(row.words));
             break;
         case RowStatement::excludes:
             add(first(row.words));

@@ -7,6 +7,7 @@
 #include <array>
 #include <cstdint>
 #include <span>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -32,12 +33,15 @@ class RowIndex {
     /// Whether a row can be wrong in one of the run's blocks, or in a block of which this is known.
     [[nodiscard]] bool wants_run(const Program& program, const PlainRun& run) const;
     [[nodiscard]] bool wants_block(const WordSummary& block) const;
+    /// That begin the codes of its rows: "GM".
+    [[nodiscard]] std::string_view letters() const { return letters_; }
     /// The rows of the code that the word is; none where it is none.
     [[nodiscard]] std::span<const Entry> rows_at(const Word& word) const;
 
   private:
     std::vector<Entry> entries_; ///< by code
-    syntax::CodeSet codes_;      ///< of all entries
+    std::string letters_;
+    syntax::CodeSet codes_; ///< of all entries
     std::array<std::vector<Entry>, syntax::CodeSet::capacity> by_kind_;
 };
 
