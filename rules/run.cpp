@@ -103,10 +103,10 @@ std::vector<Finding> run_rules(const Workspace& workspace, const Selection& sele
     return run_rules(workspace, selection, jobs, met);
 }
 
-std::vector<Finding> run_rules(const Workspace& workspace, const Selection& chosen, unsigned jobs,
+std::vector<Finding> run_rules(const Workspace& workspace, const Selection& selection, unsigned jobs,
                                std::vector<BoundMet>& met) {
-    Selection selection = chosen;
-    if (selection.rows == nullptr) selection.rows = RowIndexes::of_all(selection.rules);
+    Selection with_rows = selection;
+    if (with_rows.rows == nullptr) with_rows.rows = RowIndexes::of_all(selection.rules);
     std::vector<const ProgramFile*> files;
     for (const WorkspaceFile& file : workspace.files())
         if (file.asked) files.push_back(file.file.get());
@@ -118,10 +118,10 @@ std::vector<Finding> run_rules(const Workspace& workspace, const Selection& chos
     std::vector<std::vector<BoundMet>> bounds(parts.size());
     for_each_parallel(parts.size(), jobs, [&](std::size_t i) {
         if (i < files.size()) {
-            parts[i] = check(selection, *files[i], bounds[i]);
+            parts[i] = check(with_rows, *files[i], bounds[i]);
         } else {
             const ProgramAnalysis& program = *programs[i - files.size()];
-            parts[i] = check(selection, program, bounds[i]);
+            parts[i] = check(with_rows, program, bounds[i]);
             if (shares_labels(program)) bounds[i].push_back({path_of(program), {}});
             program.search_memory().forget();
         }

@@ -35,7 +35,7 @@ class BlockWriter {
         if (row.says == RowStatement::refused && !kept)
             text += std::string(first(row.under)) + std::string(frame_.straight) + "\n";
         text += code_of(code_);
-        for (const auto& [address, value] : words(kept)) text += " " + address + value;
+        for (const auto& [address, value] : words(kept)) text.append(" ").append(address).append(value);
         text += "\n";
         if (const WordRow* order = find(RowStatement::precedes))
             text += kept || order != &row

@@ -45,7 +45,7 @@ std::string words_with_meaning(const WordRow& row) {
 
 std::string values_allowed_by(const WordRow& row) {
     if (!row.values.empty()) return either_of(row.values);
-    const std::string least = (row.above_least ? "more than " : "at least ") + number_word(row.least);
+    std::string least = (row.above_least ? "more than " : "at least ") + number_word(row.least);
     const std::string most = (row.below_most ? "less than " : "at most ") + number_word(row.most);
     if (!std::isfinite(row.most)) return least;
     return std::isfinite(row.least) ? least + " and " + most : most;

@@ -15,12 +15,8 @@
 namespace maclint::test {
 namespace {
 
-using testing::Contains;
-using testing::Each;
 using testing::ElementsAre;
 using testing::IsEmpty;
-using testing::Not;
-using testing::StartsWith;
 
 /// A row under one of its codes, and its name for the test.
 struct Case {
