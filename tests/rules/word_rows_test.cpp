@@ -17,6 +17,7 @@ namespace {
 
 using testing::ElementsAre;
 using testing::IsEmpty;
+using testing::SizeIs;
 
 /// A row under one of its codes, and its name for the test.
 struct Case {
@@ -143,6 +144,18 @@ TEST(RowsOfBlocks, AreFoundFarInsideARowOfPlainBlocks) {
     EXPECT_THAT(raised_in("fanuc", text + "G1 X3.\nM30\n"), ElementsAre("MAC575/G4.X-P 5002"));
 }
 
+TEST(RowsOfBlocks, AreFoundInARunWithMoreKindsOfCodesThanItTells) {
+    std::string text = "O1\n";
+    for (int code = 2; code < 40; ++code)
+        text += "M" + std::to_string(100 + code) + "\nG0 X1.\nG17\nG21\nG94\nG98\nG64\n";
+    EXPECT_THAT(raised_in("fanuc", text + "G4 X1. P5\nG1 X3.\nM30\n"), SizeIs(1));
+}
+
+TEST(RowsOfBlocks, AreFoundWhereAnotherBlockOfTheRunKeepsThem) {
+    EXPECT_THAT(raised_in("fanuc", "O1\nG52 X1.\nG52\nG52 Y1.\nM30\n"),
+                ElementsAre("MAC523/G52.X+Y+Z+A+B+C+U+V+W 3"));
+}
+
 TEST(RowsOfBlocks, LeaveValuesThatAreCalculatedAlone) {
     EXPECT_THAT(raised_in("fanuc", "O1\nG30 P#1 X0\nG30 P[2+3] X0\nG30 P5 X0\nM30\n"),
                 ElementsAre("MAC576/G30.P 4"));
@@ -159,6 +172,7 @@ TEST(RowsOfBlocks, TakeNoWordThatBelongsToAnotherCode) {
 TEST(RowsOfBlocks, AreSilentWhereTheBlockCallsOrAWordMayBeSkipped) {
     EXPECT_THAT(raised_in("fanuc", "O1\nG65 P9001 G4 X1. P5\nM30\n"), IsEmpty());
     EXPECT_THAT(raised_in("fanuc", "O1\nG#1 G4 X1. P5\nM30\n"), IsEmpty());
+    EXPECT_THAT(raised_in("fanuc", "O1\nG30 P5 /X1.\nM30\n"), IsEmpty());
 }
 
 TEST(KeptWords, AreNeededInTheFirstBlockOfACycleAlone) {
