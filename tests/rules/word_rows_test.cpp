@@ -146,14 +146,24 @@ TEST(RowsOfBlocks, AreFoundFarInsideARowOfPlainBlocks) {
 
 TEST(RowsOfBlocks, AreFoundInARunWithMoreKindsOfCodesThanItTells) {
     std::string text = "O1\n";
-    for (int code = 2; code < 40; ++code)
-        text += "M" + std::to_string(100 + code) + "\nG0 X1.\nG17\nG21\nG94\nG98\nG64\n";
-    EXPECT_THAT(raised_in("fanuc", text + "G4 X1. P5\nG1 X3.\nM30\n"), SizeIs(1));
+    for (int code = 20; code < 50; ++code) text += "M" + std::to_string(code) + "\n";
+    EXPECT_THAT(raised_in("fanuc", text + "G4 X1. P5\nG1 X3.\nM30\n"), ElementsAre("MAC575/G4.X-P 32"));
 }
 
 TEST(RowsOfBlocks, AreFoundWhereAnotherBlockOfTheRunKeepsThem) {
     EXPECT_THAT(raised_in("fanuc", "O1\nG52 X1.\nG52\nG52 Y1.\nM30\n"),
                 ElementsAre("MAC523/G52.X+Y+Z+A+B+C+U+V+W 3"));
+    EXPECT_THAT(raised_in("fanuc", "O1\nG4 X1. F2\nG4 F2\nM30\n"), ElementsAre("MAC577/G4.F-X+P 3"));
+}
+
+TEST(RowsOfBlocks, HoldOnTheirMachinesAlone) {
+    EXPECT_THAT(raised_in("fanuc", "O1\nG52\nM30\n", "fanuc-16i"), SizeIs(1));
+    EXPECT_THAT(raised_in("fanuc", "O1\nG52\nM30\n", "fanuc-16i-lathe"), IsEmpty());
+}
+
+TEST(ValuesOfWords, MayBeTheBoundsWhereThoseAreAllowed) {
+    EXPECT_THAT(raised_in("dinplus", "MACHINING\nN1 G4 F0\nN2 G4 F999\nN3 G4 F999.5\nN4 G48 D9 A100\nEND\n"),
+                ElementsAre("MAC576/G4.F 2", "MAC576/G4.F 4", "MAC576/G48.A 5"));
 }
 
 TEST(RowsOfBlocks, LeaveValuesThatAreCalculatedAlone) {
@@ -172,6 +182,7 @@ TEST(RowsOfBlocks, TakeNoWordThatBelongsToAnotherCode) {
 TEST(RowsOfBlocks, AreSilentWhereTheBlockCallsOrAWordMayBeSkipped) {
     EXPECT_THAT(raised_in("fanuc", "O1\nG65 P9001 G4 X1. P5\nM30\n"), IsEmpty());
     EXPECT_THAT(raised_in("fanuc", "O1\nG#1 G4 X1. P5\nM30\n"), IsEmpty());
+    EXPECT_THAT(raised_in("fanuc", "O1\nG65 P9001 G83 Z1.\nM30\n"), IsEmpty()) << "arguments";
     EXPECT_THAT(raised_in("fanuc", "O1\nG30 P5 /X1.\nM30\n"), IsEmpty());
 }
 
