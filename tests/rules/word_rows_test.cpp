@@ -147,13 +147,15 @@ TEST(RowsOfBlocks, AreFoundFarInsideARowOfPlainBlocks) {
 TEST(RowsOfBlocks, AreFoundInARunWithMoreKindsOfCodesThanItTells) {
     std::string text = "O1\n";
     for (int code = 20; code < 50; ++code) text += "M" + std::to_string(code) + "\n";
-    EXPECT_THAT(raised_in("fanuc", text + "G4 X1. P5\nG1 X3.\nM30\n"), ElementsAre("MAC575/G4.X-P 32"));
+    EXPECT_THAT(raised_in("fanuc", text + "G52\nG1 X3.\nM30\n"),
+                ElementsAre("MAC523/G52.X+Y+Z+A+B+C+U+V+W 32"));
 }
 
 TEST(RowsOfBlocks, AreFoundWhereAnotherBlockOfTheRunKeepsThem) {
     EXPECT_THAT(raised_in("fanuc", "O1\nG52 X1.\nG52\nG52 Y1.\nM30\n"),
                 ElementsAre("MAC523/G52.X+Y+Z+A+B+C+U+V+W 3"));
-    EXPECT_THAT(raised_in("fanuc", "O1\nG4 X1. F2\nG4 F2\nM30\n"), ElementsAre("MAC577/G4.F-X+P 3"));
+    EXPECT_THAT(raised_in("dinplus", "MACHINING\nN1 G48 D1 A50\nN2 G48 A50\nEND\n"),
+                ElementsAre("MAC577/G48.A-D 3"));
 }
 
 TEST(RowsOfBlocks, HoldOnTheirMachinesAlone) {
