@@ -148,8 +148,8 @@ TEST(RowsOfBlocks, AreFoundInARunWithMoreKindsOfCodesThanItTells) {
     const std::string text =
         "O1\nG0\nG1\nG2\nG3\nG17\nG18\nG19\nG20\nG21\nG54\nG55\nG56\nG57\nG58\nG59\nG61\nG64\nG90\nG91\n"
         "G94\nG95\nG98\nG99\n";
-    EXPECT_THAT(raised_in("fanuc", text + "G52\nG1 X3.\nM30\n"),
-                ElementsAre("MAC523/G52.X+Y+Z+A+B+C+U+V+W 25"));
+    EXPECT_THAT(raised_in("fanuc", text + "G83 X1. Z-5. R2. F9.\nX3.\nM30\n"),
+                ElementsAre("MAC523/G83.Q 25"));
 }
 
 TEST(RowsOfBlocks, AreFoundWhereAnotherBlockOfTheRunKeepsThem) {
