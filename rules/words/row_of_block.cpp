@@ -12,9 +12,8 @@
 namespace maclint {
 
 const Word* RowOfBlock::find(std::string_view addresses) const {
-    const auto found = std::ranges::find_if(block.words, [&](const Word& word) {
-        return &word != &code && word.has_value() && has_word(addresses, word.address);
-    });
+    const auto found = std::ranges::find_if(
+        block.words, [&](const Word& word) { return &word != &code && has_word(addresses, word.address); });
     return found == block.words.end() ? nullptr : &*found;
 }
 

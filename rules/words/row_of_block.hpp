@@ -20,8 +20,8 @@ struct RowOfBlock {
     std::string under; ///< the code of WordRow::under that is in force; empty where the row names none
 
     [[nodiscard]] const WordRow& row() const { return *of_code.row; }
-    /// The first word of the block, other than the code, that has one of the addresses and a value; nullptr:
-    /// none has.
+    /// The first word of the block, other than the code, that has one of the addresses, with a value or
+    /// without (MAC109 speaks of that); nullptr: none has.
     [[nodiscard]] const Word* find(std::string_view addresses) const;
     /// The words with one of the addresses and a value that surely belong to the code, in the order of the
     /// text.

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <cmath>
 #include <set>
 #include <string>
 #include <vector>
@@ -84,6 +85,16 @@ TEST_P(WordRows, SayWhatComesOfItAndWhereThatIsWritten) {
     EXPECT_TRUE(row.severity != Severity::error || row.source != "T") << "an error rests on a document";
 }
 
+TEST_P(WordRows, NameValuesAndControlsThatThereAre) {
+    const WordRow& row = *GetParam().row->row;
+    EXPECT_EQ(row.values.find(','), std::string_view::npos) << "blanks separate values";
+    const bool has_bounds = std::isfinite(row.least) || std::isfinite(row.most);
+    EXPECT_EQ(row.says == RowStatement::values, has_bounds || !row.values.empty());
+    EXPECT_LE(row.least, row.most);
+    for (const std::string_view control : words_of(row.controls))
+        EXPECT_NE(find_control(control), nullptr) << "no control is named " << control;
+}
+
 INSTANTIATE_TEST_SUITE_P(All, WordRows, testing::ValuesIn(all_cases()), name_of);
 
 TEST(RuleRows, AreFoundByTheirNamesAndAliases) {
@@ -157,6 +168,10 @@ TEST(RowsOfBlocks, AreFoundWhereAnotherBlockOfTheRunKeepsThem) {
                 ElementsAre("MAC523/G52.X+Y+Z+A+B+C+U+V+W 3"));
     EXPECT_THAT(raised_in("dinplus", "MACHINING\nN1 G48 D1 A50\nN2 G48 A50\nEND\n"),
                 ElementsAre("MAC577/G48.A-D 3"));
+}
+
+TEST(RowsOfBlocks, LeaveAWordWithoutItsValueToTheRuleForThat) {
+    EXPECT_THAT(raised_in("fanuc", "O1\nG52 X\nM30\n"), IsEmpty());
 }
 
 TEST(RowsOfBlocks, HoldOnTheirMachinesAlone) {
