@@ -13,10 +13,12 @@
 namespace maclint {
 namespace {
 
-/// A letter and a number of at most three decimals as one number.
+/// A letter and a number of at most three decimals as one number; -1 for a number that is no code's.
 std::int64_t code_number(char letter, double code) {
     constexpr double decimals = 1000;
     constexpr std::int64_t letters = 256;
+    constexpr double beyond_codes = 1e6;
+    if (!(code >= 0 && code < beyond_codes)) return -1;
     return std::llround(code * decimals) * letters + static_cast<unsigned char>(letter);
 }
 

@@ -174,6 +174,13 @@ TEST(RowsOfBlocks, LeaveAWordWithoutItsValueToTheRuleForThat) {
     EXPECT_THAT(raised_in("fanuc", "O1\nG52 X\nM30\n"), IsEmpty());
 }
 
+TEST(RowsOfBlocks, AreNoneForNumbersThatAreNoCodes) {
+    // As UBSan sees it: none of these may overflow on the way to the code that it is compared with.
+    EXPECT_THAT(
+        raised_in("fanuc", "O1\nG4 X1. P5 Q99999999999999999999\nX[#1] Y-99999999999999999999.\nM30\n"),
+        ElementsAre("MAC575/G4.X-P 2"));
+}
+
 TEST(RowsOfBlocks, HoldOnTheirMachinesAlone) {
     EXPECT_THAT(raised_in("fanuc", "O1\nG52\nM30\n", "fanuc-16i"), SizeIs(1));
     EXPECT_THAT(raised_in("fanuc", "O1\nG52\nM30\n", "fanuc-16i-lathe"), IsEmpty());
