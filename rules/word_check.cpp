@@ -2,6 +2,7 @@
 #include "rules/word_check.hpp"
 
 #include "analyzer/program/lines_with.hpp"
+#include "analyzer/queries/modes_at.hpp"
 #include "analyzer/workspace/program_analysis.hpp"
 #include "rules/words/row_indexes.hpp"
 #include "rules/words/row_pass.hpp"
@@ -40,7 +41,8 @@ std::vector<Finding> check_words(const ProgramAnalysis& analysis, std::span<cons
         if (const auto* check = std::get_if<WordCheck>(&rule->check);
             check != nullptr && applies_to(*rule, analysis.control()))
             taking.push_back({check, addresses_named(program, check->addresses), Reporter(*rule)});
-    RowPass row_pass(analysis, rules);
+    RowPass row_pass(rules);
+    queries::ModesAt modes_at(analysis);
     const bool modal_calls = queries::has_modal_calls(program);
     const auto rule_wants = [&](const WordSummary& words) {
         return std::ranges::any_of(taking, [&](const Taking& rule) { return rule.wants(words); });
@@ -58,7 +60,8 @@ std::vector<Finding> check_words(const ProgramAnalysis& analysis, std::span<cons
             },
             [&](const WordSummary& block) { return rule_wants(block) || index.wants_block(block); },
             [&](const BlockView& block, std::span<const Word> words, const WordSummary* summary) {
-                const queries::WordsOfBlock with_words{analysis, block, words, modal_calls, section};
+                const queries::WordsOfBlock with_words{analysis,    block,   words,
+                                                       modal_calls, section, modes_at};
                 for (Taking& rule : taking)
                     if (summary == nullptr || rule.wants(*summary))
                         rule.check->check(with_words, rule.reporter);

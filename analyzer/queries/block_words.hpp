@@ -8,6 +8,8 @@
 
 namespace maclint::queries {
 
+class ModesAt;
+
 /// A block and its words; good as long as the check runs.
 struct WordsOfBlock {
     const ProgramAnalysis& analysis;
@@ -15,6 +17,8 @@ struct WordsOfBlock {
     std::span<const Word> words;
     bool modal_calls; ///< calls of the program act on blocks after them
     const Section& section;
+    ModesAt&
+        modes_at; ///< `modes_at(block)`: what is in force; a rule that asks declares dataflow::BeforeNode
 };
 
 /// Whether words of the block may be skipped or stand under a condition: then two that exclude each other may

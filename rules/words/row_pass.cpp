@@ -2,6 +2,7 @@
 #include "rules/words/row_pass.hpp"
 
 #include "analyzer/program/tables.hpp"
+#include "analyzer/queries/modes_at.hpp"
 #include "analyzer/workspace/program_analysis.hpp"
 #include "rules/words/word_list.hpp"
 
@@ -11,10 +12,36 @@
 #include <variant>
 
 namespace maclint {
+namespace {
 
-RowPass::RowPass(const ProgramAnalysis& analysis, std::span<const Rule* const> rules)
-    : analysis_(analysis)
-    , modes_at_(analysis) {
+/// Whether nothing is left of the words of a block before: the code's group was surely cancelled.
+bool is_first_of_its_kind(const queries::WordsOfBlock& block, const RowForCode& row) {
+    const auto group = block.analysis.control().group_of(row.letter, row.code);
+    if (!group) return true;
+    const auto cancel = block.analysis.control().groups[*group].cancel;
+    return cancel && block.modes_at(block.block).before(*group).is_surely_one_of({&*cancel, 1});
+}
+
+/// The codes of WordRow::under of which one is surely in force in the block, "G41 or G42"; empty: none is.
+std::string in_force(const queries::WordsOfBlock& block, const WordRow& row) {
+    const ControlModel& control = block.analysis.control();
+    std::map<GroupId, std::vector<double>> codes;
+    for (const std::string_view code : words_of(row.under))
+        if (const auto group = control.group_of(code.front(), code_number_of(code)))
+            codes[*group].push_back(code_number_of(code));
+    queries::BlockModes modes = block.modes_at(block.block);
+    for (const auto& [group, of_group] : codes) {
+        const queries::Modes now = modes.with_words(group);
+        if (!now.is_surely_one_of(of_group)) continue;
+        if (const auto code = now.sure_code()) return control.spell(group, *code);
+        return either_of(row.under);
+    }
+    return {};
+}
+
+} // namespace
+
+RowPass::RowPass(std::span<const Rule* const> rules) {
     for (const Rule* rule : rules)
         if (std::holds_alternative<RowCheck>(rule->check)) reporters_.emplace(rule, Reporter(*rule));
 }
@@ -31,34 +58,11 @@ void RowPass::look_at(const queries::WordsOfBlock& block, const RowIndex::Entry&
     const WordRow& row = *entry.row->row;
     // Words of a block that calls are arguments; of some that may be skipped nobody knows which stand there.
     if ((!row.in_calls && queries::calls(block)) || queries::has_alternatives(block)) return;
-    if (row.kept && !is_first_of_its_kind(block.block, *entry.row)) return;
-    std::string under = row.under.empty() ? std::string() : in_force(block.block, row);
+    if (row.kept && !is_first_of_its_kind(block, *entry.row)) return;
+    std::string under = row.under.empty() ? std::string() : in_force(block, row);
     if (under.empty() && !row.under.empty()) return;
     std::get<RowCheck>(reporter->first->check)
         .check({block, *entry.rule_row, *entry.row, code, std::move(under)}, reporter->second);
-}
-
-bool RowPass::is_first_of_its_kind(const BlockView& block, const RowForCode& row) {
-    const auto group = analysis_.control().group_of(row.letter, row.code);
-    if (!group) return true;
-    const auto cancel = analysis_.control().groups[*group].cancel;
-    return cancel && modes_at_(block).before(*group).is_surely_one_of({&*cancel, 1});
-}
-
-std::string RowPass::in_force(const BlockView& block, const WordRow& row) {
-    const ControlModel& control = analysis_.control();
-    std::map<GroupId, std::vector<double>> codes;
-    for (const std::string_view code : words_of(row.under))
-        if (const auto group = control.group_of(code.front(), code_number_of(code)))
-            codes[*group].push_back(code_number_of(code));
-    queries::BlockModes modes = modes_at_(block);
-    for (const auto& [group, of_group] : codes) {
-        const queries::Modes now = modes.with_words(group);
-        if (!now.is_surely_one_of(of_group)) continue;
-        if (const auto code = now.sure_code()) return control.spell(group, *code);
-        return either_of(row.under);
-    }
-    return {};
 }
 
 std::vector<Finding> RowPass::take() {

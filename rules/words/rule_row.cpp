@@ -82,11 +82,7 @@ std::span<const RuleRow> rows_of(const Rule& rule) {
 
 const RuleRow* find_rule_row(std::string_view name) {
     const std::size_t slash = name.find('/');
-    if (slash == std::string_view::npos) {
-        for (const RuleRow& row : all_rule_rows())
-            if (lists_code(row.first().aliases, name)) return &row;
-        return nullptr;
-    }
+    if (slash == std::string_view::npos) return nullptr;
     const Rule* rule = find_rule(name.substr(0, slash));
     if (rule == nullptr) return nullptr;
     const auto rows = rows_of(*rule);

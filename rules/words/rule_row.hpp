@@ -36,8 +36,8 @@ struct RuleRow {
 [[nodiscard]] std::span<const RuleRow> all_rule_rows();
 /// Those of one rule; empty for a rule without rows.
 [[nodiscard]] std::span<const RuleRow> rows_of(const Rule& rule);
-/// "MAC523/G83.Q", also with another name of the rule, small letters or zeros in front (G04.P); or an alias
-/// of the row (DIN613). nullptr: there is none.
+/// "MAC523/G83.Q", also with another name of the rule, small letters or zeros in front (G04.P). nullptr:
+/// there is none.
 [[nodiscard]] const RuleRow* find_rule_row(std::string_view name);
 /// What the row says, a sentence: "G83 needs Q (depth of a peck); without it the hole is drilled in one
 /// stroke."

@@ -2,6 +2,7 @@
 #include "analyzer/program/block_view.hpp"
 #include "analyzer/program/section_kinds.hpp"
 #include "analyzer/queries/block_words.hpp"
+#include "analyzer/queries/modes_at.hpp"
 #include "analyzer/queries/region_faults.hpp"
 #include "analyzer/queries/sections.hpp"
 #include "analyzer/queries/sequence_numbers.hpp"
@@ -64,11 +65,12 @@ Standing standing_in(const std::string& blocks) {
     const ProgramAnalysis& analysis = workspace->programs().front();
     const Program& program = analysis.program();
     std::vector<Standing> all;
+    ModesAt modes_at(analysis);
     for_each_block_with_words(
         program, [](const WordSummary&) { return true; },
         [&](const BlockView& block, std::span<const Word> words, const WordSummary*) {
-            const WordsOfBlock one{analysis, block, words, has_modal_calls(program),
-                                   program.sections.front()};
+            const WordsOfBlock one{analysis, block, words, has_modal_calls(program), program.sections.front(),
+                                   modes_at};
             all.push_back({has_alternatives(one), may_call(one)});
         });
     return all.at(all.size() - 2);
