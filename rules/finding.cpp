@@ -65,6 +65,11 @@ std::string with_alarm(std::string_view text, std::string_view alarm) {
 
 } // namespace
 
+bool is_on_request(const Finding& finding) {
+    const Message* message = text_of(finding);
+    return message != nullptr && message->on_request;
+}
+
 std::string Finding::statement() const {
     const Message* message = text_of(*this);
     return fill(with_alarm(message == nullptr ? rule->summary : message->text, alarm), arguments) +

@@ -93,6 +93,9 @@ struct Finding {
     [[nodiscard]] std::vector<RelatedLocation> further_places() const;
 };
 
+/// Whether it is told only where somebody selects its rule.
+[[nodiscard]] bool is_on_request(const Finding& finding);
+
 /// The order of reports: path, line, column, code.
 [[nodiscard]] bool comes_before(const Finding& a, const Finding& b);
 

@@ -38,6 +38,7 @@
     RULE(vacancy_lost_in_arithmetic)            /* MAC222 */ \
     RULE(unchecked_offset_number)               /* MAC225 */ \
     RULE(vacancy_test_never_true)               /* MAC228 */ \
+    RULE(bare_number_for_variable)              /* MAC229 */ \
     RULE(jump_target_missing)                   /* MAC301 */ \
     RULE(goto_suspicious_target)                /* MAC302 */ \
     RULE(jump_into_loop)                        /* MAC303 */ \

@@ -53,6 +53,13 @@ std::vector<Finding> Reporter::take() {
     return std::move(findings_);
 }
 
+std::string Reporter::alarm_words(const ProgramFile& file) const {
+    const auto known = std::ranges::find_if(rule_->alarms, [&](const Alarm& alarm) {
+        return file.control != nullptr && alarm.control == file.control->alarms;
+    });
+    return known == rule_->alarms.end() ? "an alarm" : "alarm " + std::string(known->number);
+}
+
 bool Reporter::has_message(std::string_view id) const {
     return std::ranges::find(rule_->messages, id, &Message::id) != rule_->messages.end();
 }

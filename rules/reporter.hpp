@@ -23,6 +23,8 @@ class Reporter {
                     std::vector<std::string> arguments);
     /// Whether the rule has a message of that name.
     [[nodiscard]] bool has_message(std::string_view id) const;
+    /// "alarm 5074", by the control's list of alarms; "an alarm" where that is not known.
+    [[nodiscard]] std::string alarm_words(const ProgramFile& file) const;
     [[nodiscard]] std::vector<Finding> take();
 
   private:

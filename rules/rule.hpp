@@ -28,6 +28,8 @@ struct Message {
     std::string_view id;
     std::string_view text;      ///< what is wrong, a sentence that begins with a word
     std::string_view cure = {}; ///< how to mend it, a sentence; reports for people give it a line of its own
+    /// Few authors act on it: told where somebody selects the rule, and not by default.
+    bool on_request = false;
 };
 
 /// An alarm of a control that the rule prevents.

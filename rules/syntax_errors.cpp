@@ -38,6 +38,7 @@ std::string reason_of(const SyntaxError& error) {
     case SyntaxErrorKind::logic_outside_brackets:
     case SyntaxErrorKind::words_beside_statement:
     case SyntaxErrorKind::statement_beside_statement:
+    case SyntaxErrorKind::jump_beside_statement:
     case SyntaxErrorKind::function_without_brackets:
     case SyntaxErrorKind::comparison_as_value:
     case SyntaxErrorKind::oversized_block: return "";
@@ -86,6 +87,7 @@ void report_syntax_error(const ProgramFile& file, SyntaxErrorKind kind, Reporter
         Finding& finding = reporter.report(
             {file, error.span}, error.span, message_for(error, reporter, messages),
             {to_utf8(error.subject, detect_encoding(error.subject)), error.cure, error.elsewhere});
+        if (messages.severity) finding.severity = *messages.severity;
         if (error.answer == Answer::stops_if_assumed) finding.severity = Severity::warning;
         if (error.answer == Answer::unknown) finding.severity = Severity::note;
         if (finding.severity != Severity::error) finding.alarm = {};

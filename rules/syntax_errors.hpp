@@ -3,6 +3,7 @@
 
 #include "rules/rule.hpp"
 
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -15,6 +16,7 @@ struct SyntaxMessages {
     std::string_view without = "plain";       ///< else, or where the rule has no such message
     std::string_view elsewhere = "elsewhere"; ///< where another control of the family takes it: a warning
     std::string_view unknown = "unknown";     ///< where no document tells: a note
+    std::optional<Severity> severity = {};    ///< where the control stops; nothing: that of the rule
 };
 
 /// One finding for every syntax error of the kind; the arguments of its message are the offending text, the

@@ -15,6 +15,7 @@ enum class Capability : std::uint8_t {
     undefined_variables, ///< variables have values that nothing has defined, beside those that were set
     jumps,               ///< programs jump to blocks
     sequence_numbers,    ///< programs name blocks by their numbers
+    block_if,            ///< IF … THEN opens blocks up to ELSE or ENDIF
     block_references,    ///< words name blocks of certain sections
     macro_calls,         ///< calls that count against a limit of their own
     modal_calls,         ///< programs called after every move or block

@@ -161,9 +161,11 @@ std::string_view name_of(SyntaxErrorKind syntax_error) {
                                                  "logic-outside-brackets",
                                                  "words-beside-statement",
                                                  "statement-beside-statement",
+                                                 "jump-beside-statement",
                                                  "function-without-brackets",
                                                  "comparison-as-value",
                                                  "sign-after-sign",
+                                                 "condition-before-return",
                                                  "unreadable"};
     static_assert(std::size(names) == static_cast<std::size_t>(SyntaxErrorKind::unreadable) + 1);
     return names[static_cast<std::size_t>(syntax_error)];

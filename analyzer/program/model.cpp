@@ -49,6 +49,11 @@ ControlModel checked(ControlModel control) {
     return control;
 }
 
+const ControlModel* ControlModel::lathe_of(char system) const {
+    const auto found = std::ranges::find(lathes, system, &ControlModel::code_system);
+    return found == lathes.end() ? nullptr : *found;
+}
+
 bool ControlModel::has(Capability capability) const {
     const auto starts_as = [&](InitialValue initial_value) {
         return std::ranges::find(spaces, initial_value, &VariableSpace::initial_value) != spaces.end();
@@ -66,6 +71,7 @@ bool ControlModel::has(Capability capability) const {
     case Capability::undefined_variables: return starts_as(InitialValue::undefined);
     case Capability::jumps: return loops_left_by_jump; // the one thing that a table tells of them
     case Capability::sequence_numbers: return loops_left_by_jump || !references.empty();
+    case Capability::block_if: return has_block_if;
     case Capability::block_references: return !references.empty();
     case Capability::macro_calls: return limits.macro_calls != 0;
     case Capability::modal_calls:

@@ -47,9 +47,11 @@ enum class SyntaxErrorKind : std::uint8_t {
     logic_outside_brackets,      ///< `IF[#1EQ2]AND[#3EQ4]`; cure: the whole in [ ]
     words_beside_statement,      ///< `G90 #1=5`; subject: what stands second
     statement_beside_statement,  ///< `#1=5 #2=6`; subject: what stands second
+    jump_beside_statement,       ///< `#1=5 GOTO6`; subject: the jump
     function_without_brackets,   ///< `SIN 30`; cure: with brackets
     comparison_as_value,         ///< `#1=#2 EQ 5`; subject: the comparison
     sign_after_sign,             ///< `#2--#3`; cure: with brackets
+    condition_before_return,     ///< `[#1 LT 5] M99 P10`
     unreadable,                  ///< nothing more exact is known; cure: what was expected
 };
 

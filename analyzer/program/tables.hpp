@@ -64,12 +64,20 @@ struct ControlModel {
     std::string_view model;    ///< "fanuc-16i" of a mill and of a lathe: a name in the manufacturer's list
     std::string description;   ///< "FANUC Series 16i/18i/21i"
     Machine machine = Machine::mill;
-    const ControlModel* lathe = nullptr; ///< of a mill: the same control on a lathe, for texts that are
-                                         ///< written for one; nullptr: there is none, or nobody wants it
+    char code_system = 0; ///< of a lathe whose G codes come in systems: 'A', 'B', 'C'
+    /// Of a mill: the same control on lathes, for texts that are written for one. Of a lathe, those whose
+    /// system a text can show. Empty: there are none, or nobody wants them.
+    std::vector<const ControlModel*> lathes = {};
+    bool has_block_if = false;    ///< IF … THEN opens blocks up to ELSE or ENDIF; if not, no text has them
     bool assumed;                 ///< nobody named the control: messages say that its limits are assumed
     std::string_view alarms;      ///< the list that numbers its alarms, as rules name it; empty: none known
     std::string_view return_word; ///< leads back to the caller: "M99"
+    std::string_view end_word = "M30"; ///< ends the job
+    /// Of an assumed control: those on which a return to a block (`M99 P10`) goes to one of its own program.
+    std::string returns_within = {};
     Limits limits;
+    /// Of an assumed control: the limits that no control which may be meant exceeds.
+    std::optional<Limits> limits_at_most = {};
     std::vector<VariableSpace> spaces;
     std::vector<VariableFamily> families;
     std::vector<ModalGroup> groups;
@@ -91,6 +99,8 @@ struct ControlModel {
     std::vector<std::string_view> repeatable = {}, repeatable_arguments = {};
 
     [[nodiscard]] bool has(Capability capability) const;
+    /// The one of `lathes` with that system, or nullptr.
+    [[nodiscard]] const ControlModel* lathe_of(char system) const;
     /// The group of that role, or nothing.
     [[nodiscard]] std::optional<GroupId> group_with(ModalRole role) const;
     /// The group that a code of `letter` sets, or nothing.

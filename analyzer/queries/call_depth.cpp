@@ -4,6 +4,8 @@
 #include "analyzer/program/tables.hpp"
 #include "analyzer/queries/callers.hpp"
 
+#include <algorithm>
+#include <cstddef>
 #include <variant>
 
 namespace maclint::queries {
@@ -18,6 +20,23 @@ std::vector<CallSite> calls_beyond(const ProgramAnalysis& analysis, NestingLimit
         if (analysis.control().calls[call.kind].counts_against == nesting) calls.push_back(site);
     }
     return calls;
+}
+
+bool leads_to_level(const ProgramAnalysis& analysis, const CallSite& site, NestingLimit nesting, int level) {
+    std::vector<const ProgramAnalysis*> reached;
+    const auto reach = [&](const ProgramAnalysis& from, const CallSite& call) {
+        const ProgramAnalysis* callee = called_program(from, call);
+        if (callee != nullptr && std::ranges::find(reached, callee) == reached.end())
+            reached.push_back(callee);
+    };
+    reach(analysis, site);
+    for (std::size_t i = 0; i < reached.size(); ++i) {
+        const ProgramAnalysis& program = *reached[i]; // `reached` grows
+        if (!calls_beyond(program, nesting, level).empty()) return true;
+        for (const CallSite& call : program.calls())
+            if (!call.closes_cycle) reach(program, call);
+    }
+    return false;
 }
 
 } // namespace maclint::queries

@@ -13,4 +13,8 @@ namespace maclint::queries {
 [[nodiscard]] std::vector<CallSite> calls_beyond(const ProgramAnalysis& analysis, NestingLimit nesting,
                                                  int limit);
 
+/// Whether what the call runs comes to a call that is beyond the level.
+[[nodiscard]] bool leads_to_level(const ProgramAnalysis& analysis, const CallSite& site, NestingLimit nesting,
+                                  int level);
+
 } // namespace maclint::queries

@@ -70,6 +70,23 @@ Offset last_block_with_words(const Program& program) {
     return last;
 }
 
+/// `M#850` in the last block that does anything, which may be M30 or M99.
+bool ends_with_computed_function(const ProgramAnalysis& analysis) {
+    const Program& program = analysis.program();
+    const std::string_view address = analysis.control().functions.address;
+    const Offset last = last_block_with_words(program);
+    bool computed = false;
+    for_each_block_with_words(
+        program, [](const WordSummary&) { return false; }, // plain blocks compute nothing
+        [&](const BlockView& block, std::span<const Word> words, const auto&...) {
+            computed |=
+                block.span.begin == last && std::ranges::any_of(words, [&](const Word& word) {
+                    return word.address == address && std::holds_alternative<ExpressionId>(word.value);
+                });
+        });
+    return computed;
+}
+
 /// In a program whose number is one of macros: a jump to a block from which on no block does anything.
 std::optional<EffectId> find_jump_to_empty_end(const ProgramAnalysis& analysis) {
     const Program& program = analysis.program();
@@ -85,12 +102,13 @@ std::optional<EffectId> find_jump_to_empty_end(const ProgramAnalysis& analysis) 
 } // namespace
 
 bool may_end_otherwise(const ProgramAnalysis& analysis, const flow::Exit& past_end) {
-    return may_return_otherwise(analysis.program()) || ends_with_unknown_call(analysis, past_end);
+    return may_return_otherwise(analysis.program()) || ends_with_unknown_call(analysis, past_end) ||
+           ends_with_computed_function(analysis);
 }
 
 std::optional<ExpectedEnd> find_expected_end(const ProgramAnalysis& analysis, const flow::Exit& past_end) {
     const Program& program = analysis.program();
-    if (may_return_otherwise(program)) return std::nullopt;
+    if (may_return_otherwise(program) || ends_with_computed_function(analysis)) return std::nullopt;
     if (const Caller* caller = find_reached_caller(analysis)) return caller;
     if (!analysis.control().sections.empty() || ends_with_unknown_call(analysis, past_end))
         return std::nullopt;

@@ -9,6 +9,7 @@
 #include <iterator>
 #include <map>
 #include <optional>
+#include <ranges>
 #include <set>
 #include <span>
 #include <unordered_map>
@@ -116,6 +117,55 @@ bool is_jumped_to(const ProgramAnalysis& analysis, const flow::LabelledBlock& co
     });
 }
 
+/// A plain jump that goes on past the end of its part to the block of another one, while its own part has
+/// one before it, which no other jump finds. Parts end where nothing runs on into what follows, and where a
+/// loop begins.
+struct Strayed {
+    const flow::ResolvedJump* jump;
+    const flow::LabelledBlock* own; ///< that stands before the jump, in its part
+};
+
+/// Whether the control never runs on from the block before the node into the node.
+bool begins_part(const flow::Graph& graph, flow::NodeId node) {
+    return std::ranges::none_of(graph.in[node], [&](flow::EdgeId id) {
+        const flow::Edge& edge = graph.edges[id];
+        return edge.from + 1 == node && !edge.jump;
+    });
+}
+
+bool is_in_loop_without(const ProgramAnalysis& analysis, const flow::LabelledBlock& target, Offset jump) {
+    const auto& effects = analysis.program().effects;
+    const auto holds = [&](const flow::Region& region, Offset place) {
+        return region.close && effects[region.open].span.begin < place &&
+               place < effects[*region.close].span.begin;
+    };
+    return std::ranges::any_of(analysis.regions().all, [&](const flow::Region& region) {
+        return is_loop(region.region_kind) && holds(region, target.block.begin) && !holds(region, jump);
+    });
+}
+
+std::optional<Strayed> find_strayed(const ProgramAnalysis& analysis,
+                                    std::span<const flow::ResolvedJump* const> naming, Copies copies) {
+    const auto is_parted = [&](flow::NodeId from, flow::NodeId to) {
+        for (flow::NodeId node = from + 1; node <= to; ++node)
+            if (begins_part(analysis.graph(), node)) return true;
+        return false;
+    };
+    for (const flow::ResolvedJump* jump : naming) {
+        if (!jump->target || jump->target->node <= jump->node) continue;
+        const auto own =
+            std::ranges::find_if(copies | std::views::reverse,
+                                 [&](const flow::LabelledBlock& copy) { return copy.node < jump->node; });
+        if (own == std::ranges::rend(copies) || is_jumped_to(analysis, *own) ||
+            is_parted(own->node, jump->node))
+            continue;
+        const Offset place = analysis.program().effects[jump->jump].span.begin;
+        if (is_parted(jump->node, jump->target->node) || is_in_loop_without(analysis, *jump->target, place))
+            return Strayed{jump, &*own};
+    }
+    return std::nullopt;
+}
+
 const flow::LabelledBlock* find_unreached(const ProgramAnalysis& analysis, Copies copies) {
     const auto found = std::ranges::find_if(copies, [&](const flow::LabelledBlock& copy) {
         return !analysis.data().reached(copy.node) && !is_jumped_to(analysis, copy);
@@ -141,6 +191,11 @@ RepeatedNumber judge(const ProgramAnalysis& analysis, const Jumps& jumps, std::i
         repeated.taken = jump->target->span;
         repeated.doubling = Doubling::passed_over;
         repeated.missed = copies.back().span;
+    } else if (const auto strayed = find_strayed(analysis, naming, copies)) {
+        repeated.user = strayed->jump->jump;
+        repeated.taken = strayed->jump->target->span;
+        repeated.doubling = Doubling::in_other_part;
+        repeated.missed = strayed->own->span;
     } else if (const flow::LabelledBlock* copy = find_unreached(analysis, copies);
                copy != nullptr && repeated.taken) {
         repeated.doubling = Doubling::unreached;

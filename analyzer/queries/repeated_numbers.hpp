@@ -13,9 +13,11 @@ namespace maclint::queries {
 /// What becomes of a number that stands more than once.
 enum class Doubling : std::uint8_t {
     harmless, ///< each jump takes the next block that bears it, as when blocks were copied with their jumps
-    passed_over, ///< a jump back takes the first of the program, not the one that stands before it
-    unreached,   ///< the jumps take another block, and nothing leads to this one
-    referenced,  ///< words of other sections name it, which find the one or the other
+    passed_over,   ///< a jump back takes the first of the program, not the one that stands before it
+    unreached,     ///< the jumps take another block, and nothing leads to this one
+    in_other_part, ///< a jump finds the block of another part of the program, behind an end or in a loop, not
+                   ///< the one in its own part, which stands before it
+    referenced,    ///< words of other sections name it, which find the one or the other
 };
 
 struct RepeatedNumber {

@@ -6,8 +6,10 @@
 #include <algorithm>
 #include <charconv>
 #include <cstddef>
+#include <cstdlib>
 #include <string>
 #include <system_error>
+#include <utility>
 
 namespace maclint::queries {
 
@@ -48,6 +50,33 @@ std::vector<std::int64_t> numbers_a_digit_away(std::int64_t number) {
     const auto repeated = std::ranges::unique(found);
     found.erase(repeated.begin(), repeated.end());
     return found;
+}
+
+std::vector<SequenceNumber> find_nearest(const std::vector<SequenceNumber>& numbers, std::int64_t wanted) {
+    constexpr std::size_t most_typed = 2, most = 3;
+    std::vector<std::int64_t> typed = numbers_a_digit_away(wanted);
+    const std::string digits = std::to_string(wanted);
+    for (std::size_t at = 1; at < digits.size(); ++at) {
+        std::string exchanged = digits;
+        std::swap(exchanged[at - 1], exchanged[at]);
+        typed.push_back(std::stoll(exchanged));
+    }
+    std::ranges::sort(typed, {}, [&](std::int64_t number) { return std::abs(number - wanted); });
+    std::vector<SequenceNumber> nearest;
+    const auto add = [&](const SequenceNumber& number) {
+        if (number.number != wanted && nearest.size() < most &&
+            std::ranges::find(nearest, number.number, &SequenceNumber::number) == nearest.end())
+            nearest.push_back(number);
+    };
+    // Of one digit, any number that holds it is a digit away.
+    if (digits.size() == 1)
+        for (const SequenceNumber& neighbour : find_neighbours(numbers, wanted)) add(neighbour);
+    for (const std::int64_t number : typed) {
+        const auto found = std::ranges::lower_bound(numbers, number, {}, &SequenceNumber::number);
+        if (found != numbers.end() && found->number == number && nearest.size() < most_typed) add(*found);
+    }
+    for (const SequenceNumber& neighbour : find_neighbours(numbers, wanted)) add(neighbour);
+    return nearest;
 }
 
 } // namespace maclint::queries

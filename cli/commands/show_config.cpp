@@ -29,7 +29,10 @@ std::string control_line(const SnapshotFile& file, const ReadFile& read) {
     std::string reason = named != nullptr               ? named->reason
                          : !read.control_reason.empty() ? read.control_reason
                                                         : "assumed for the dialect";
-    if (&control != read.control) reason += "; the text is written for a lathe";
+    if (&control != read.control)
+        reason += read.control->machine == Machine::mill
+                      ? std::string("; the text is written for a lathe")
+                      : std::string("; the text is written with G code system ") + control.code_system;
     return line("control", with_reason(control.name + ", " + control.description, reason));
 }
 

@@ -142,8 +142,8 @@ class Loader {
     }
 
     std::shared_ptr<const OwnControl> read_control(const JsonMember& member) {
-        static constexpr std::array<std::string_view, 4> known = {"model", "machine", "limits",
-                                                                  "stops-look-ahead"};
+        static constexpr std::array<std::string_view, 6> known = {"model",    "machine", "gcode-system",
+                                                                  "block-if", "limits",  "stops-look-ahead"};
         const auto& settings = object(member.node, "a control");
         const auto model = std::ranges::find(settings, "model", &JsonMember::key);
         if (model == settings.end())
@@ -157,19 +157,27 @@ class Loader {
                    "there is no control '" + name + "'." +
                        did_you_mean(name, control_names(), "Known are " + enumerate(control_names())));
         OwnControl::Facts own{base->limits, base->functions};
-        const ControlModel* lathe = base->lathe;
+        std::vector<const ControlModel*> lathes = base->lathes;
+        // Which machine it is comes before its G code system, wherever the two stand.
+        if (const auto machine = std::ranges::find(settings, "machine", &JsonMember::key);
+            machine != settings.end()) {
+            base = on_machine(*base, machine->node);
+            if (base->machine == Machine::mill) lathes.clear();
+        }
         for (const JsonMember& setting : settings) {
             if (setting.key == "limits") read_limits(setting.node, own.limits);
             if (setting.key == "stops-look-ahead")
                 own.functions.stopping = functions(setting.node, own.functions);
-            if (setting.key == "machine") {
-                base = on_machine(*base, setting.node);
-                lathe = nullptr;
+            if (setting.key == "block-if") own.block_if = truth(setting.node, "'block-if'");
+            if (setting.key == "gcode-system") {
+                const ControlModel* system = of_system(*base, setting.node);
+                if (base->machine == Machine::lathe) base = system;
+                lathes = {system};
             }
             if (std::ranges::find(known, setting.key) == known.end())
                 reject_key(setting, {known.begin(), known.end()});
         }
-        return std::make_shared<const OwnControl>(member.key, *base, lathe, std::move(own));
+        return std::make_shared<const OwnControl>(member.key, *base, std::move(lathes), std::move(own));
     }
 
     /// The model on the machine that the node names.
@@ -179,9 +187,20 @@ class Loader {
             reject(node.span, "there is no machine '" + word + "'. Write mill or lathe");
         const bool lathe = word == "lathe";
         if (lathe == (model.machine == Machine::lathe)) return &model;
-        if (lathe && model.lathe != nullptr) return model.lathe;
+        if (lathe && !model.lathes.empty()) return model.lathes.front();
         reject(node.span, "the control '" + model.name + "' is not known for a " + word +
                               ". Name another 'model', or leave 'machine' out");
+    }
+
+    /// The lathe of the model with the G code system that the node names.
+    const ControlModel* of_system(const ControlModel& model, const JsonNode& node) const {
+        const std::string& word = text(node, "'gcode-system'");
+        if (word != "A" && word != "B" && word != "C")
+            reject(node.span, "there is no G code system '" + word + "'. Write A, B or C");
+        if (model.machine == Machine::lathe && model.code_system == word.front()) return &model;
+        if (const ControlModel* lathe = model.lathe_of(word.front())) return lathe;
+        reject(node.span, "the control '" + model.name + "' is not known with G code system " + word +
+                              ". Name another 'model', or leave 'gcode-system' out");
     }
 
     void read_limits(const JsonNode& node, Limits& limits) {
@@ -189,9 +208,10 @@ class Loader {
             std::string_view name;
             int Limits::*value;
         };
-        static constexpr std::array<Limit, 4> known{{{"macro-calls", &Limits::macro_calls},
+        static constexpr std::array<Limit, 5> known{{{"macro-calls", &Limits::macro_calls},
                                                      {"subprogram-calls", &Limits::subprogram_calls},
                                                      {"loop-levels", &Limits::loop_levels},
+                                                     {"loop-numbers", &Limits::last_loop_number},
                                                      {"bracket-levels", &Limits::bracket_levels}}};
         for (const JsonMember& member : object(node, "'limits'")) {
             const auto* const limit = std::ranges::find(known, member.key, &Limit::name);
@@ -297,10 +317,12 @@ class Loader {
         }
     }
 
-    void read_complete(const JsonNode& node) {
+    void read_complete(const JsonNode& node) { configuration_->complete = truth(node, "'complete'"); }
+
+    bool truth(const JsonNode& node, std::string_view key) const {
         const auto* value = std::get_if<bool>(&node.value);
-        if (value == nullptr) reject(node.span, "'complete' must be true or false. Correct it");
-        configuration_->complete = *value;
+        if (value == nullptr) reject(node.span, std::string(key) + " must be true or false. Correct it");
+        return *value;
     }
 
     void read_encoding(const JsonNode& node) {

@@ -9,16 +9,20 @@ ControlModel OwnControl::with_facts(const ControlModel& base) const {
     control.description = name_ + " (" + base.description + ")";
     control.limits = facts_.limits;
     control.functions = facts_.functions;
-    control.lathe = nullptr;
+    if (facts_.block_if) control.has_block_if = *facts_.block_if;
+    control.returns_within.clear();
+    control.limits_at_most.reset();
+    control.lathes.clear();
     return control;
 }
 
 const ControlModel& OwnControl::model() const {
     return made_
         .get([this] {
-            Made made{with_facts(*base_), nullptr};
-            if (lathe_ != nullptr) made.lathe = std::make_unique<const ControlModel>(with_facts(*lathe_));
-            made.model.lathe = made.lathe.get();
+            Made made{with_facts(*base_), {}};
+            for (const ControlModel* lathe : lathes_)
+                made.model.lathes.push_back(
+                    made.lathes.emplace_back(std::make_unique<const ControlModel>(with_facts(*lathe))).get());
             return made;
         })
         .model;

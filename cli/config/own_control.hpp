@@ -5,8 +5,10 @@
 #include "analyzer/source/made_once.hpp"
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <utility>
+#include <vector>
 
 namespace maclint::cli {
 
@@ -17,13 +19,15 @@ class OwnControl {
     struct Facts {
         Limits limits;
         MachineFunctions functions;
+        std::optional<bool> block_if = {}; ///< IF … THEN, ELSE, ENDIF as blocks; nothing: as the model
     };
 
-    /// `lathe`: the model where the text is written for one; nullptr: there is none, or nobody wants it.
-    OwnControl(std::string name, const ControlModel& model, const ControlModel* lathe, Facts facts)
+    /// `lathes`: the models where the text is written for one; empty: there are none, or nobody wants them.
+    OwnControl(std::string name, const ControlModel& model, std::vector<const ControlModel*> lathes,
+               Facts facts)
         : name_(std::move(name))
         , base_(&model)
-        , lathe_(lathe)
+        , lathes_(std::move(lathes))
         , facts_(std::move(facts)) {}
 
     [[nodiscard]] const ControlModel& model() const;
@@ -35,11 +39,11 @@ class OwnControl {
 
     struct Made {
         ControlModel model;
-        std::unique_ptr<const ControlModel> lathe;
+        std::vector<std::unique_ptr<const ControlModel>> lathes;
     };
     std::string name_;
     const ControlModel* base_;
-    const ControlModel* lathe_;
+    std::vector<const ControlModel*> lathes_;
     Facts facts_;
     mutable MadeOnce<Made> made_;
 };

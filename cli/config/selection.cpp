@@ -28,6 +28,11 @@ RuleStates::RuleStates()
     }
 }
 
+bool RuleStates::is_asked_for(const Finding& finding) const {
+    const RuleState& state = of(finding);
+    return state.reason != on_by_default && state.reason != off_by_default;
+}
+
 template<class Change>
 void RuleStates::change(const std::vector<NamedRule>& rules, const Change& apply) {
     for (const auto& [rule, row] : rules) {

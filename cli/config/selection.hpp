@@ -33,6 +33,8 @@ class RuleStates {
     [[nodiscard]] const RuleState& of(const Finding& finding) const {
         return finding.row == nullptr ? of(*finding.rule) : of(*finding.row);
     }
+    /// Whether somebody has said something of what found it, and it is not as its record says.
+    [[nodiscard]] bool is_asked_for(const Finding& finding) const;
     /// Whether it finds anything: a rule with rows does when one of them is on.
     [[nodiscard]] bool is_on(const Rule& rule) const { return on_[index_of(rule)]; }
     /// That of all rules, in the order of all_rules().

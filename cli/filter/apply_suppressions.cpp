@@ -211,6 +211,9 @@ class FileSuppressions {
         , suppressions_(directives_) {}
 
     std::vector<FilteredFinding> apply_suppressions(std::vector<Finding> findings) {
+        std::erase_if(findings, [this](const Finding& finding) {
+            return is_on_request(finding) && !rules_.is_asked_for(finding);
+        });
         // Before suppression: who allows what the owner says has not asked to hear the other one.
         drop_yielding(findings, [this](const Finding& finding) { return rules_.of(finding).on; });
         report_faults(findings);

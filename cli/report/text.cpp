@@ -9,7 +9,9 @@
 #include "cli/suggest.hpp"
 
 #include <algorithm>
+#include <string>
 #include <unordered_set>
+#include <vector>
 
 namespace maclint::cli {
 namespace {
@@ -31,6 +33,7 @@ class TextWriter {
         , style_(style.colour) {}
 
     void add(const Finding& finding) {
+        if (is_one_of_many(finding)) return;
         const Rows rows = rows_of(finding, wanted_.path);
         left_out_ += rows.left_out;
         margin_ = widest_number(rows.rows) + 1;
@@ -41,10 +44,56 @@ class TextWriter {
         out_ += "\n";
     }
 
+    /// Places of findings that say what others before them say in full.
+    void add_kinds() {
+        for (const Kind& kind : kinds_) {
+            if (kind.places.empty()) continue;
+            const std::string head = std::string(name_of(kind.severity)) + "[" + kind.code + "]";
+            out_ += style_.severity(kind.severity, head) +
+                    style_.bold(": The same in " + counted(kind.places.size(), "more place") +
+                                "; --path full shows all.") +
+                    "\n";
+            for (const std::string& place : kind.places) out_ += "  " + place + "\n";
+            out_ += "\n";
+        }
+    }
+
     [[nodiscard]] std::size_t left_out() const { return left_out_; }
     [[nodiscard]] std::string take() { return std::move(out_); }
 
   private:
+    /// Findings of one rule with one message.
+    struct Kind {
+        std::string code; ///< with the key of a row
+        std::string_view message_id;
+        Severity severity;
+        std::size_t count = 0;
+        std::vector<std::string> places = {};
+    };
+
+    /// A habit is told in full three times; of what the control stops at, every place is.
+    bool is_one_of_many(const Finding& finding) {
+        constexpr std::size_t most_in_full = 3;
+        if (finding.severity == Severity::error || wanted_.path == PathDetail::full) return false;
+        const std::string code = code_with_key(finding);
+        const auto known = std::ranges::find_if(kinds_, [&](const Kind& kind) {
+            return kind.code == code && kind.message_id == finding.message_id &&
+                   kind.severity == finding.severity;
+        });
+        Kind& kind = known == kinds_.end()
+                         ? kinds_.emplace_back(Kind{code, finding.message_id, finding.severity})
+                         : *known;
+        if (++kind.count <= most_in_full) return false;
+        const auto add_place_of = [&](const Source& source, Span span) {
+            const Position at = source.position(span.begin);
+            kind.places.push_back(shown(source.path()) + ":" + std::to_string(at.line) + ":" +
+                                  std::to_string(at.column));
+        };
+        add_place_of(*finding.source, finding.span);
+        for (const RelatedLocation& repeat : finding.repeats) add_place_of(*repeat.source, repeat.span);
+        return true;
+    }
+
     static std::size_t widest_number(const std::vector<Row>& rows) {
         std::uint32_t widest = 1;
         for (const Row& row : rows) widest = std::max(widest, row.line);
@@ -161,6 +210,7 @@ class TextWriter {
     std::size_t margin_ = 0;                    ///< columns before the frame
     std::size_t left_out_ = 0;                  ///< rows of paths
     std::unordered_set<std::string> explained_; ///< codes, with keys of rows
+    std::vector<Kind> kinds_;                   ///< few: rules have few messages
     std::string out_;
 };
 
@@ -170,6 +220,7 @@ std::string write_text(const Report& report, const TextStyle& style) {
     TextWriter writer(style);
     for (const FilteredFinding& filtered : report.findings)
         if (!filtered.suppressed) writer.add(filtered.finding);
+    writer.add_kinds();
     const std::size_t left_out = writer.left_out();
     std::string out = writer.take();
     if (report.statistics) out += statistics_text(report);

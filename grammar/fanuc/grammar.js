@@ -38,7 +38,7 @@ module.exports = grammar({
   extras: $ => [/[ \t\x00\uFEFF]/, $.comment],
 
   // `ATAN[#1]/` may go on with `[#2]`, its second operand, or with `2`, a division.
-  conflicts: $ => [[$.call]],
+  conflicts: $ => [[$.call], [$._bracketed_name, $._place]],
 
   rules: {
     file: $ => seq(optional($.block), repeat(seq($._end_of_block, optional($.block)))),
@@ -54,7 +54,7 @@ module.exports = grammar({
 
     _head: $ => choice($.tape_mark, $.skip, $.sequence_number, $.computed_sequence_number),
     _program: $ => choice($.program_number, $.computed_program_number, $.named_program),
-    _content: $ => choice($._any_word, $.program_name, $.bare_value, $.stray_parenthesis, $._statement),
+    _content: $ => choice($._any_word, $.program_name, $.bare_value, $.stray_parenthesis, $.block_condition, $._statement),
 
     // A comment ends with its line even when its bracket is missing.
     comment: $ => token(prec(3, /\([^)\r\n]*\)?/)),
@@ -108,6 +108,9 @@ module.exports = grammar({
 
     bare_value: $ => prec(-1, choice($.number, alias($._signed_number, $.unary))),
     _signed_number: $ => seq(field('operator', $._sign), field('operand', $.number)),
+
+    // `[#1 LT 5] M99 P10`: Haas returns or goes on.
+    block_condition: $ => prec(-1, seq('[', $._expression, ']')),
 
     // Statements
     _statement: $ => choice(

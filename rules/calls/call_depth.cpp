@@ -39,19 +39,44 @@ void add_chain(Finding& finding, const ProgramAnalysis& analysis, NestingLimit n
 
 } // namespace
 
-void report_calls_beyond(const ProgramAnalysis& analysis, Reporter& reporter, NestingLimit nesting,
-                         int limit) {
+namespace {
+
+int levels(const Limits& limits, NestingLimit nesting) {
+    return nesting == NestingLimit::macro ? limits.macro_calls : limits.subprogram_calls;
+}
+
+Finding& report_call(const ProgramAnalysis& analysis, const CallSite& site, Reporter& reporter,
+                     NestingLimit nesting, int limit, std::string_view message) {
+    const Span span = analysis.program().effects[site.effect].span;
+    Finding& finding = reporter.report({analysis, site.effect}, span, message,
+                                       {quoted(analysis.program(), span), std::to_string(limit + 1),
+                                        analysis.control().description, std::to_string(limit),
+                                        chain_words(analysis, site, nesting)});
+    add_chain(finding, analysis, nesting);
+    finding.path.push_back(
+        {analysis.source(), span, "calls " + name_of_callee(analysis, site) + ", one level too deep"});
+    return finding;
+}
+
+} // namespace
+
+void report_calls_beyond(const ProgramAnalysis& analysis, Reporter& reporter, NestingLimit nesting) {
     const ControlModel& control = analysis.control();
-    for (const CallSite& site : queries::calls_beyond(analysis, nesting, limit)) {
-        const Span span = analysis.program().effects[site.effect].span;
-        Finding& finding =
-            reporter.report({analysis, site.effect}, span, control.assumed ? "assumed" : "named",
-                            {quoted(analysis.program(), span), std::to_string(limit + 1), control.description,
-                             std::to_string(limit), chain_words(analysis, site, nesting)});
-        add_chain(finding, analysis, nesting);
-        finding.path.push_back(
-            {analysis.source(), span, "calls " + name_of_callee(analysis, site) + ", one level too deep"});
+    const int limit = levels(control.limits, nesting);
+    if (!control.limits_at_most) {
+        for (const CallSite& site : queries::calls_beyond(analysis, nesting, limit))
+            report_call(analysis, site, reporter, nesting, limit, "named");
+        return;
     }
+    const int most = levels(*control.limits_at_most, nesting);
+    for (const CallSite& site : queries::calls_beyond(analysis, nesting, limit)) {
+        if (queries::leads_to_level(analysis, site, nesting, most)) continue; // told there
+        Finding& finding = report_call(analysis, site, reporter, nesting, limit, "assumed");
+        finding.severity = Severity::warning;
+        finding.alarm = {};
+    }
+    for (const CallSite& site : queries::calls_beyond(analysis, nesting, most))
+        report_call(analysis, site, reporter, nesting, most, "most");
 }
 
 } // namespace maclint::rules

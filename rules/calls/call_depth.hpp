@@ -12,10 +12,9 @@ namespace maclint::rules {
 /// The program that a call runs: its name, or what the call writes for it.
 [[nodiscard]] std::string name_of_callee(const ProgramAnalysis& analysis, const CallSite& site);
 
-/// The calls of the program that reach the first level beyond the limit: the message "named" or "assumed",
-/// with the call, its level, the control, the limit and the chain of programs. Deeper ones have the same
-/// cause.
-void report_calls_beyond(const ProgramAnalysis& analysis, Reporter& reporter, NestingLimit nesting,
-                         int limit);
+/// The calls of the program that reach the first level beyond the control's limit, with the call, its level,
+/// the control, the limit and the chain of programs; deeper ones have the same cause. The message is "named";
+/// of an assumed control "assumed", a warning, or "most" beyond what any that may be meant has.
+void report_calls_beyond(const ProgramAnalysis& analysis, Reporter& reporter, NestingLimit nesting);
 
 } // namespace maclint::rules

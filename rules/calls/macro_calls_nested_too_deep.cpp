@@ -23,9 +23,11 @@ extern const Rule macro_calls_nested_too_deep{
     .messages = {{"named", "Too many call levels: '{0}' is macro level {1}, and {2} has {3}: {4}.",
                   "Call it from a higher level."},
                  {"assumed",
-                  "Too many call levels: '{0}' is macro level {1}, and a 16i has {3} (assumed, as no control "
-                  "is named): {4}.",
-                  "Call it from a higher level, or name the control."}},
+                  "Too many call levels: '{0}' is macro level {1}, and the assumed control has {3}: {4}.",
+                  "Call it from a higher level, or name the control (--control)."},
+                 {"most",
+                  "Too many call levels: '{0}' is macro level {1}, and no series has more than {3}: {4}.",
+                  "Call it from a higher level."}},
     .bad = {{"fanuc", R"nc(
 O0001(MAIN)
 G65P9001
@@ -70,7 +72,7 @@ M99
 namespace {
 
 void check(const ProgramAnalysis& analysis, Reporter& reporter) {
-    report_calls_beyond(analysis, reporter, NestingLimit::macro, analysis.control().limits.macro_calls);
+    report_calls_beyond(analysis, reporter, NestingLimit::macro);
 }
 
 } // namespace

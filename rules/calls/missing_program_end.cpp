@@ -29,8 +29,8 @@ extern const Rule missing_program_end{
     .precision = Precision::high,
     .facts = dataflow::facts<dataflow::ExitState, dataflow::Read, dataflow::Store>(),
     .data_flow = true,
-    .messages = {{"plain", "Missing end: {0} ends after this block, without M30 and without {1}.",
-                  "Add M30 after this block, or {1} if other programs call it."}},
+    .messages = {{"plain", "Missing end: {0} ends after this block, without {2} and without {1}.",
+                  "Add {2} after this block, or {1} if other programs call it."}},
     .bad = {{"fanuc", R"nc(
 O0455(FACE)
 G90 G54 G0 X0 Y0 S1200 M3
@@ -94,9 +94,9 @@ void check(const ProgramAnalysis& analysis, Reporter& reporter) {
         queries::find_expected_end(analysis, exit->exit)) // MAC456's
         return;
     const Span span = queries::last_block_before(analysis, exit->exit, *last);
-    Finding& finding =
-        reporter.report({analysis, span}, span, "plain",
-                        {analysis.program().name, std::string(analysis.control().return_word)});
+    Finding& finding = reporter.report({analysis, span}, span, "plain",
+                                       {analysis.program().name, std::string(analysis.control().return_word),
+                                        std::string(analysis.control().end_word)});
     if (finding.alarm.empty()) finding.severity = std::min(finding.severity, Severity::note);
     trace(finding, analysis, exit->exit.node, "the program ends after this block");
 }

@@ -19,12 +19,15 @@ extern const Rule subprogram_calls_nested_too_deep{
     .severity = Severity::error,
     .precision = Precision::high,
     .data_flow = true,
-    .messages = {{"named", "Too many call levels: '{0}' is subprogram level {1}, and {2} has {3}: {4}.",
-                  "Call it from a higher level."},
-                 {"assumed",
-                  "Too many call levels: '{0}' is subprogram level {1}, and a 16i has {3} (assumed, as no "
-                  "control is named): {4}.",
-                  "Call it from a higher level, or name the control."}},
+    .messages =
+        {{"named", "Too many call levels: '{0}' is subprogram level {1}, and {2} has {3}: {4}.",
+          "Call it from a higher level."},
+         {"assumed",
+          "Too many call levels: '{0}' is subprogram level {1}, and the assumed control has {3}: {4}.",
+          "Call it from a higher level, or name the control (--control)."},
+         {"most",
+          "Too many call levels: '{0}' is subprogram level {1}, and no series has more than {3}: {4}.",
+          "Call it from a higher level."}},
     .bad = {{"fanuc", R"nc(
 O0001(MAIN)
 M98P9001
@@ -120,8 +123,7 @@ END
 namespace {
 
 void check(const ProgramAnalysis& analysis, Reporter& reporter) {
-    report_calls_beyond(analysis, reporter, NestingLimit::subprogram,
-                        analysis.control().limits.subprogram_calls);
+    report_calls_beyond(analysis, reporter, NestingLimit::subprogram);
 }
 
 } // namespace

@@ -22,6 +22,7 @@ extern const Rule if_unbalanced{
            "were to run in any case.",
     .severity = Severity::error,
     .precision = Precision::very_high,
+    .needs = {Capability::block_if},
     .messages = {{"never-closed", "Missing ENDIF: '{0}' is never closed.",
                   "Add ENDIF after the last block of the branch."},
                  {"never-opened", "ENDIF without IF: '{0}' belongs to none.", "Remove it, or add the IF."},

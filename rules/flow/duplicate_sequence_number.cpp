@@ -27,15 +27,18 @@ extern const Rule duplicate_sequence_number{
     .severity = Severity::warning,
     .precision = Precision::very_high,
     .needs = {Capability::sequence_numbers},
-    .messages = {{"passed-over",
-                  "Wrong block: {0} takes N{1} of line {2}, the first of the program, not that of line {3}.",
-                  "{4}."},
-                 {"unreached",
-                  "Wrong block: {0} takes N{1} of line {2}, and nothing leads to N{1} of line {3}.", "{4}."},
-                 {"after",
-                  "Sequence number N{1} is there more than once: {0} goes to line {2}, the next one.",
-                  "{4}."},
-                 {"plain", "Sequence number N{1} is there more than once: {0} goes to one of them.", "{4}."}},
+    .messages =
+        {{"passed-over",
+          "Wrong block: {0} takes N{1} of line {2}, the first of the program, not that of line {3}.", "{4}."},
+         {"unreached", "Wrong block: {0} takes N{1} of line {2}, and nothing leads to N{1} of line {3}.",
+          "{4}."},
+         {"after", "Sequence number N{1} is there more than once: {0} goes to line {2}, the next one.",
+          "{4}.", true},
+         {"in-other-part",
+          "Wrong block: {0} leaves its part of the program for N{1} of line {2}, past the N{1} of line "
+          "{3} in its own.",
+          "{4}."},
+         {"plain", "Sequence number N{1} is there more than once: {0} goes to one of them.", "{4}."}},
     .bad = {{"fanuc", R"nc(
 O9462(TWO)
 N20 G0 X1.
@@ -80,7 +83,8 @@ using queries::Doubling;
 using queries::RepeatedNumber;
 
 std::string_view message_for(const RepeatedNumber& repeated) {
-    constexpr std::array<std::string_view, 4> messages = {"after", "passed-over", "unreached", "plain"};
+    constexpr std::array<std::string_view, 5> messages = {"after", "passed-over", "unreached",
+                                                          "in-other-part", "plain"};
     return repeated.taken ? messages[static_cast<std::size_t>(repeated.doubling)] : "plain";
 }
 
@@ -104,7 +108,8 @@ void report(const ProgramAnalysis& analysis, const std::vector<RepeatedNumber>& 
     if (alike.size() > 1) cure += ")";
     const Span jump = analysis.program().effects[first.user].span;
     const Span block = first.missed.value_or(first.blocks[1]);
-    const Span place = first.doubling == Doubling::passed_over ? jump : block;
+    const bool at_jump = first.doubling == Doubling::passed_over || first.doubling == Doubling::in_other_part;
+    const Span place = at_jump ? jump : block;
     Finding& finding =
         reporter.report({analysis, place}, place, message_for(first),
                         {"'" + quoted(analysis.program(), jump) + "' in line " + line(jump),

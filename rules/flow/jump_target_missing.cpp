@@ -2,11 +2,14 @@
 #include "analyzer/dataflow/facts/computed_jump.hpp"
 #include "analyzer/queries/sequence_numbers.hpp"
 #include "analyzer/workspace/program_analysis.hpp"
+#include "rules/listed.hpp"
 #include "rules/path.hpp"
 #include "rules/rule.hpp"
 #include "rules/trace.hpp"
 
 #include <cmath>
+#include <string>
+#include <vector>
 
 namespace maclint::rules {
 
@@ -77,14 +80,14 @@ class Nearby {
     explicit Nearby(const ProgramAnalysis& analysis)
         : analysis_(&analysis) {}
 
-    /// "N5 (line 56) and N8 (line 70)"; empty: the program has no numbers.
+    /// "N4001 (line 4), N5 (line 56) and N8 (line 70)"; empty: the program has no numbers.
     [[nodiscard]] std::string operator()(std::int64_t number) {
         if (!numbers_) numbers_ = queries::find_sequence_numbers(analysis_->program());
-        std::string words;
-        for (const queries::SequenceNumber& block : queries::find_neighbours(*numbers_, number))
-            words += (words.empty() ? "N" : " and N") + std::to_string(block.number) + " (line " +
-                     line_number(analysis_->file(), block.at) + ")";
-        return words;
+        std::vector<std::string> words;
+        for (const queries::SequenceNumber& block : queries::find_nearest(*numbers_, number))
+            words.push_back("N" + std::to_string(block.number) + " (line " +
+                            line_number(analysis_->file(), block.at) + ")");
+        return listed(words, " and ");
     }
 
   private:

@@ -22,7 +22,11 @@ extern const Rule loop_number_out_of_range{
     .precision = Precision::very_high,
     .needs = {Capability::loop_numbers},
     .messages = {{"plain", "Loop number out of range: '{0}' uses one that the control does not have.",
-                  "Use {1} to {2}."}},
+                  "Use {1} to {2}."},
+                 {"assumed",
+                  "Loop number out of range: the assumed control has no number as high as in '{0}'.",
+                  "Use {1} to {2}; or, if the control has more, name it (--control), or say so in the "
+                  "configuration (\"loop-numbers\")."}},
     .bad = {{"fanuc", R"nc(
 O9314(ROW)
 #100=0
@@ -49,11 +53,19 @@ namespace {
 void check(const ProgramAnalysis& analysis, Reporter& reporter) {
     for (const flow::RegionFault& fault :
          queries::numbered_loop_faults(analysis, flow::Imbalance::number_out_of_range)) {
-        const Span span = analysis.program().effects[fault.effect].span;
-        reporter.report({analysis, fault.effect}, span, "plain",
-                        {quoted(analysis.program(), span),
-                         std::to_string(analysis.control().limits.first_loop_number),
-                         std::to_string(analysis.control().limits.last_loop_number)});
+        const ControlModel& control = analysis.control();
+        const Effect& effect = analysis.program().effects[fault.effect];
+        const auto number = std::get<RegionMark>(effect.what).number;
+        const bool elsewhere = control.limits_at_most && number &&
+                               *number >= control.limits_at_most->first_loop_number &&
+                               *number <= control.limits_at_most->last_loop_number;
+        Finding& finding = reporter.report(
+            {analysis, fault.effect}, effect.span, elsewhere ? "assumed" : "plain",
+            {quoted(analysis.program(), effect.span), std::to_string(control.limits.first_loop_number),
+             std::to_string(control.limits.last_loop_number)});
+        if (!elsewhere) continue;
+        finding.severity = Severity::warning;
+        finding.alarm = {};
     }
 }
 

@@ -1,5 +1,6 @@
 //! MAC333: a return to a block that the caller lacks.
 #include "analyzer/dataflow/facts/exit_state.hpp"
+#include "analyzer/program/tables.hpp"
 #include "analyzer/queries/callers.hpp"
 #include "analyzer/workspace/program_analysis.hpp"
 #include "rules/path.hpp"
@@ -26,12 +27,17 @@ extern const Rule m99_p_missing_label{
     .facts = dataflow::facts<dataflow::ExitState>(),
     .data_flow = true,
     .stands_without_path = true,
-    .messages = {{"plain", "Missing return block: '{0}' returns to N{1}, which the caller {2} does not have.",
-                  "Add the sequence number there, or return without P."},
-                 {"uncalled",
-                  "Missing sequence number: nobody calls this program, so '{0}' goes on at its own N{1}, "
-                  "which it does not have.",
-                  "Add the sequence number, or correct it."}},
+    .messages =
+        {{"plain", "Missing return block: '{0}' returns to N{1}, which the caller {2} does not have.",
+          "Add the sequence number there, or return without P."},
+         {"within",
+          "Return block of the caller: '{0}' returns to N{1}, which the caller {2} does not have; here "
+          "it stands in the program itself.",
+          "If the program runs on {3}, which would jump there, name that (--control)."},
+         {"uncalled",
+          "Missing sequence number: nobody calls this program, so '{0}' goes on at its own N{1}, "
+          "which it does not have.",
+          "Add the sequence number, or correct it."}},
     .bad = {{"fanuc", R"nc(
 O0001(MAIN)
 M98P9333
@@ -77,10 +83,16 @@ void check(const ProgramAnalysis& analysis, Reporter& reporter) {
         const Caller* caller = queries::find_caller_lacking(analysis, callers, *number);
         if (caller == nullptr) continue;
         const ProgramAnalysis& calling = queries::calling_program(analysis, *caller);
+        const std::string& elsewhere = analysis.control().returns_within;
+        const bool within = !elsewhere.empty() && analysis.graph().has_label(*number);
         Finding& finding =
-            reporter.report({analysis, *exit.exit.effect}, effect.span, "plain",
+            reporter.report({analysis, *exit.exit.effect}, effect.span, within ? "within" : "plain",
                             {quoted(program, effect.span), quoted(program, program.expressions[*label].span),
-                             calling.program().name});
+                             calling.program().name, elsewhere});
+        if (within) {
+            finding.severity = Severity::warning;
+            finding.alarm = {};
+        }
         finding.path.push_back(related_at_effect(calling, caller->effect, "calls " + program.name));
         trace(finding, analysis, exit.exit.node, "returns to a sequence number that the caller lacks");
     }

@@ -22,6 +22,9 @@ extern const Rule macro_and_nc_same_block{
                  {"elsewhere",
                   "A macro statement and words in one block: the assumed control stops at '{0}'.",
                   "Give '{0}' a block of its own, or name the control that takes it (--control {2})."},
+                 {"jump",
+                  "Jump beside another macro statement: the control does not take '{0}' behind the first.",
+                  "Give '{0}' a block of its own."},
                  {"two",
                   "Two macro statements in one block: '{0}' stands after the first, and no manual says"
                   " that the control takes both.",
@@ -56,6 +59,8 @@ namespace {
 
 void check(const ProgramFile& file, Reporter& reporter) {
     report_syntax_error(file, SyntaxErrorKind::words_beside_statement, reporter);
+    report_syntax_error(file, SyntaxErrorKind::jump_beside_statement, reporter,
+                        {.without = "jump", .severity = Severity::warning});
     report_syntax_error(file, SyntaxErrorKind::statement_beside_statement, reporter, {.unknown = "two"});
 }
 

@@ -27,8 +27,10 @@ extern const Rule unreachable_code{
                   "Add the test that was to lead there, or delete it."},
                  {"after", "Unreachable: '{0}' stands behind '{1}' in line {2} and is never run.",
                   "Move it before that, jump to it, or delete it."},
+                 {"passed", "Unreachable: '{0}' stands behind '{1}' in line {2} and is never run.",
+                  "Move it before that, jump to it, or delete it.", true},
                  {"block", "Unreachable: no jump leads to N{0}, and '{1}' in line {2} passes it.",
-                  "Add the jump that was to lead there, or delete the blocks."}},
+                  "Add the jump that was to lead there, or delete the blocks.", true}},
     .bad = {{"fanuc", R"nc(
 O9460(POCKET, X Y)
 IF[#24EQ#0]GOTO91

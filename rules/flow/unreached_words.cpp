@@ -31,7 +31,10 @@ std::optional<UnreachedWords> words_for(const ProgramAnalysis& analysis,
     if (!region.number || ends) {
         // Who puts a GOTO in front of blocks switches them off for a while.
         const bool is_sure = !std::holds_alternative<Jump>(ender.what);
-        return UnreachedWords{"after", *region.work, {quoted(program, *region.work), before, line}, is_sure};
+        return UnreachedWords{is_sure ? "after" : "passed",
+                              *region.work,
+                              {quoted(program, *region.work), before, line},
+                              is_sure};
     }
     if (!region.moves || region.is_alarm) return std::nullopt;
     return UnreachedWords{"block", region.head, {number, before, line}, false};

@@ -32,14 +32,13 @@ extern const Rule duplicate_address{
     .messages =
         {{"twice",
           "Address {0} stands twice in one block: the control takes '{2}' and passes '{1}' over, or stops "
-          "with alarm 5074.",
+          "with {3}.",
           "Remove the word that is not meant, or write two blocks."},
-         {"same",
-          "Address {0} stands twice in one block, both times as '{1}': some controls stop with alarm 5074.",
+         {"same", "Address {0} stands twice in one block, both times as '{1}': some controls stop with {2}.",
           "Remove one of the two."},
          {"several",
           "Addresses {0} stand twice in one block: the control takes the last word of each, or stops with "
-          "alarm 5074.",
+          "{1}.",
           "Write two blocks if a line end was lost."}},
     .bad = {{"fanuc", R"nc(
 O9559(EDGE)
@@ -108,9 +107,10 @@ void check(const queries::WordsOfBlock& block, Reporter& reporter) {
     const auto report = [&](std::string_view message, std::vector<std::string> arguments) -> Finding& {
         return reporter.report({block.analysis, last->span}, last->span, message, std::move(arguments));
     };
-    Finding& finding = repeated.size() > 1 ? report("several", {addresses})
-                       : before == after   ? report("same", {addresses, after})
-                                           : report("twice", {addresses, before, after});
+    const std::string alarm = reporter.alarm_words(block.analysis.file());
+    Finding& finding = repeated.size() > 1 ? report("several", {addresses, alarm})
+                       : before == after   ? report("same", {addresses, after, alarm})
+                                           : report("twice", {addresses, before, after, alarm});
     finding.related.push_back({block.analysis.source(), first->span, "the first one stands here"});
 }
 

@@ -44,7 +44,7 @@ extern const Rule feed_or_speed_not_restored{
     .messages = {{"caller", "{0} is left to the caller, whose own is lost: {2} moves with it.", "{1}."},
                  {"not-saved", "{0} is left to the caller: the program saves {2}, but not this.", "{1}."},
                  {"not-put-back", "{0} is left to the caller.", "{1}."},
-                 {"left", "Left to the caller: {0}.", "Write it again after the call."}},
+                 {"left", "Left to the caller: {0}.", "Write it again after the call.", true}},
     .bad = {{"fanuc", R"nc(
 O9503(PLUNGE, Z DEPTH F FEED)
 #1=#4003

@@ -30,7 +30,7 @@ extern const Rule modal_group_conflict{
     .needs = {Capability::exclusive_words},
     .messages = {{"plain",
                   "Codes '{0}' and '{1}' are of one modal group ({2}): the whole block runs under '{1}', or "
-                  "stops with alarm 5074.",
+                  "stops with {3}.",
                   "Remove the one that is not meant, or write two blocks."}},
     .bad = {{"fanuc", R"nc(
 O9514(FACE)
@@ -82,7 +82,8 @@ void check(const queries::WordsOfBlock& block, Reporter& reporter) {
         const Program& program = block.analysis.program();
         Finding& finding = reporter.report({block.analysis, word.span}, word.span, "plain",
                                            {quoted(program, before->word->span), quoted(program, word.span),
-                                            std::string(control.groups[found->group].name)});
+                                            std::string(control.groups[found->group].name),
+                                            reporter.alarm_words(block.analysis.file())});
         finding.related.push_back({block.analysis.source(), before->word->span, "the other one stands here"});
         return;
     }

@@ -37,7 +37,7 @@ extern const Rule domain_error{
     .data_flow = true,
     .messages =
         {{"outside", "No result: '{0}' is given {1}, for which it has none.", "Correct the operand."},
-         {"passed", "No result: the call in line {3} of {4} gives '{0}' what it has none for.",
+         {"passed", "No result: '{0}' has none for what the call in line {3} of {4} passes.",
           "Pass other values, or check them first."},
          {"left-out", "No result: '{0}' has none, as the call in line {3} of {4} leaves out {2}.",
           "Pass it, or check it first."},

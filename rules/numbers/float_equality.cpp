@@ -102,6 +102,7 @@ void report(const ProgramAnalysis& analysis, Reporter& reporter, const dataflow:
         words.push_back(
             line_number(analysis.file(), queries::span_of_origin(analysis, inexact.rounding).begin));
     Finding& finding = reporter.report({analysis, comparison}, span, id, std::move(words));
+    finding.same_cause = "node " + std::to_string(comparison.node); // two in one condition
     const auto node = comparison.node;
     if (inexact.why == Why::rounded)
         trace(finding, analysis, inexact.rounding, "the result is rounded here", node, "and compared here");

@@ -23,7 +23,9 @@ extern const Rule unknown_keyword{
         {{"cure", "Unknown word '{0}': the control stops here.", "Write '{1}'."},
          {"plain", "Unknown word '{0}': the control stops here.",
           "If the program is for another control, name that (--dialect, or \"files\" in the configuration)."},
-         {"construct", "No block IF on this control, which stops at '{0}'.", "{1}."}},
+         {"construct", "No block IF on this control, which stops at '{0}'.", "{1}."},
+         {"construct elsewhere", "Block IF: the assumed control has none and stops at '{0}'.",
+          "If the program runs on {2}, name that (--control); a FANUC that has it says so by \"block-if\"."}},
     .bad = {{"fanuc", R"nc(
 O9118(DEPTH)
 IF[#100LTE5]GOTO10
@@ -66,13 +68,9 @@ namespace {
 
 void check(const ProgramFile& file, Reporter& reporter) {
     report_syntax_error(file, SyntaxErrorKind::unknown_keyword, reporter);
-    SyntaxCauses causes(file);
-    for (const SyntaxError& syntax_error : file.syntax_errors)
-        if (syntax_error.kind == SyntaxErrorKind::missing_construct)
-            reporter
-                .report({file, syntax_error.span}, syntax_error.span, "construct",
-                        {syntax_error.subject, syntax_error.cure})
-                .same_cause = causes.of(syntax_error);
+    report_syntax_error(
+        file, SyntaxErrorKind::missing_construct, reporter,
+        {.with_cure = "construct", .without = "construct", .elsewhere = "construct elsewhere"});
 }
 
 } // namespace

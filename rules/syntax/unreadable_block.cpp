@@ -26,6 +26,9 @@ extern const Rule unreadable_block{
           "Put it in ( ), or name the program's control (--dialect, or \"files\" in the configuration)."},
          {"point", "Variable number with a decimal point: '{0}'. No manual says that the control takes it.",
           "Write '{1}'."},
+         {"before return", "Condition before M99: the control stops at '{0}'.", "Put IF before it."},
+         {"before return elsewhere", "Condition before M99: the assumed control stops at '{0}'.",
+          "If the program runs on {2}, name that (--control)."},
          {"fraction", "Variable number with a decimal point: '{0}', as Haas has them.",
           "Choose that control (--control haas) if the program runs there."}},
     .bad = {{"fanuc", R"nc(
@@ -73,6 +76,8 @@ void report(const ProgramFile& file, SyntaxErrorKind kind, std::string_view mess
 
 void check(const ProgramFile& file, Reporter& reporter) {
     report_syntax_error(file, SyntaxErrorKind::unreadable, reporter);
+    report_syntax_error(file, SyntaxErrorKind::condition_before_return, reporter,
+                        {.without = "before return", .elsewhere = "before return elsewhere"});
     report(file, SyntaxErrorKind::nested_comment, "cure", Severity::error, reporter);
     report(file, SyntaxErrorKind::bare_remark, "remark", Severity::warning, reporter);
     report(file, SyntaxErrorKind::point_in_variable_number, "point", Severity::warning, reporter);

@@ -38,9 +38,9 @@ extern const Rule dead_store{
                   "anything reads {1}.",
                   "Set the variable that was meant, or remove one of the two."},
                  {"unread", "Value never used: nothing reads {1} after '{0}'.",
-                  "Use it, or remove the assignment."},
+                  "Use it, or remove the assignment.", true},
                  {"never", "Variable never used: '{0}' sets {1}, and no block reads it.",
-                  "Use it, or remove the assignment."}},
+                  "Use it, or remove the assignment.", true}},
     .bad = {{"fanuc", R"nc(
 O9213(SLOT, X LENGTH D TOOL R STOCK)
 #33=#24-#7

@@ -113,6 +113,8 @@ void check(const ProgramAnalysis& analysis, Reporter& reporter) {
                                            comparison.operation == Operation::equal ? "equal" : "not-equal",
                                            {quoted(program, span), queries::with_letter(program, *variable),
                                             line_number(analysis.file(), used->begin)});
+        finding.same_cause =
+            program.name + (comparison.operation == Operation::equal ? " EQ" : " NE"); // a habit
         finding.related.push_back({analysis.source(), *used, name + " is used here"});
         trace_vacancy(finding, analysis, value.vacancy_origin, name, comparison.node,
                       name + " is compared with 0");

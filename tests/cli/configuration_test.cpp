@@ -93,24 +93,55 @@ TEST(Configuration, GivesAControlOfTheShopItsLathe) {
         "nct": {"model": "nct"}}})");
     const ControlModel& any = *configuration->control("any");
     EXPECT_EQ(any.machine, Machine::mill);
-    ASSERT_NE(any.lathe, nullptr);
-    EXPECT_EQ(any.lathe->machine, Machine::lathe);
-    EXPECT_EQ(any.lathe->name, "fanuc-30i-lathe");
-    EXPECT_EQ(any.lathe->limits.macro_calls, 9);
-    EXPECT_FALSE(any.lathe->assumed);
-    EXPECT_THAT(any.lathe->description, HasSubstr("any (FANUC Series 30i"));
+    ASSERT_EQ(any.lathes.size(), 3U);
+    EXPECT_EQ(any.lathes.front()->machine, Machine::lathe);
+    EXPECT_EQ(any.lathes.front()->name, "fanuc-30i-lathe");
+    EXPECT_EQ(any.lathes.front()->limits.macro_calls, 9);
+    EXPECT_FALSE(any.lathes.front()->assumed);
+    EXPECT_THAT(any.lathes.front()->description, HasSubstr("any (FANUC Series 30i"));
     EXPECT_EQ(configuration->control("turning")->machine, Machine::lathe);
     EXPECT_EQ(configuration->control("turning")->limits.macro_calls, 9);
     EXPECT_EQ(configuration->control("milling")->machine, Machine::mill);
-    EXPECT_EQ(configuration->control("milling")->lathe, nullptr) << "the user knows better than the text";
+    EXPECT_THAT(configuration->control("milling")->lathes, IsEmpty())
+        << "the user knows better than the text";
     EXPECT_EQ(configuration->control("lathe")->machine, Machine::lathe);
-    EXPECT_EQ(configuration->control("nct")->lathe, nullptr);
+    EXPECT_THAT(configuration->control("nct")->lathes, IsEmpty());
     EXPECT_THAT(refusal(R"({"controls": {"L1": {"model": "nct", "machine": "lathe"}}})"),
                 HasSubstr("'nct' is not known for a lathe"));
     EXPECT_THAT(refusal(R"({"controls": {"L1": {"model": "haas-lathe", "machine": "mill"}}})"),
                 HasSubstr("'haas-lathe' is not known for a mill"));
     EXPECT_THAT(refusal(R"({"controls": {"L1": {"model": "haas", "machine": "grinder"}}})"),
                 HasSubstr("Write mill or lathe"));
+}
+
+TEST(Configuration, NamesTheGcodeSystemOfALathe) {
+    const TemporaryFolder folder;
+    const auto configuration = load(folder, R"({"controls": {
+        "turning": {"gcode-system": "B", "machine": "lathe", "model": "fanuc-30i"},
+        "either": {"model": "fanuc-30i", "gcode-system": "C"},
+        "lathe": {"model": "fanuc-30i-lathe", "gcode-system": "A"}}})");
+    EXPECT_EQ(configuration->control("turning")->code_system, 'B');
+    EXPECT_EQ(configuration->control("either")->machine, Machine::mill);
+    ASSERT_EQ(configuration->control("either")->lathes.size(), 1U) << "the text tells the machine alone";
+    EXPECT_EQ(configuration->control("either")->lathes.front()->code_system, 'C');
+    EXPECT_EQ(configuration->control("lathe")->code_system, 'A');
+    EXPECT_THAT(refusal(R"({"controls": {"c": {"model": "fanuc-30i", "gcode-system": "D"}}})"),
+                HasSubstr("Write A, B or C"));
+    EXPECT_THAT(refusal(R"({"controls": {"c": {"model": "haas", "gcode-system": "B"}}})"),
+                HasSubstr("'haas' is not known with G code system B"));
+}
+
+TEST(Configuration, SetsLoopNumbersAndBlockIf) {
+    const TemporaryFolder folder;
+    const auto configuration = load(folder, R"({"controls": {
+        "plus": {"model": "fanuc-0i-d", "block-if": true, "limits": {"loop-numbers": 15}},
+        "old": {"model": "mitsubishi", "block-if": false}, "plain": {"model": "mitsubishi"}}})");
+    EXPECT_TRUE(configuration->control("plus")->has_block_if);
+    EXPECT_EQ(configuration->control("plus")->limits.last_loop_number, 15);
+    EXPECT_FALSE(configuration->control("old")->has_block_if);
+    EXPECT_TRUE(configuration->control("plain")->has_block_if);
+    EXPECT_THAT(refusal(R"({"controls": {"c": {"model": "haas", "block-if": "yes"}}})"),
+                HasSubstr("'block-if' must be true or false"));
 }
 
 TEST(Configuration, NamesTheMCodesThatStopLookAhead) {
@@ -126,8 +157,8 @@ TEST(Configuration, NamesTheMCodesThatStopLookAhead) {
                  named.may_stop_look_ahead(50));
     EXPECT_FALSE(configuration->control("none")->functions.may_stop_look_ahead(25));
     EXPECT_TRUE(configuration->control("unknown")->functions.may_stop_look_ahead(25));
-    EXPECT_TRUE(configuration->control("named")->lathe->functions.may_stop_look_ahead(25));
-    EXPECT_FALSE(configuration->control("named")->lathe->functions.may_stop_look_ahead(8));
+    EXPECT_TRUE(configuration->control("named")->lathes.front()->functions.may_stop_look_ahead(25));
+    EXPECT_FALSE(configuration->control("named")->lathes.front()->functions.may_stop_look_ahead(8));
     for (const char* bad : {"25", "M", "G25", "M2.5", "M-5", "M49-M40", "M40-49", "M40-", "M99999999999"})
         EXPECT_THAT(refusal(std::string(R"({"controls": {"c": {"model": "nct", "stops-look-ahead": [")") +
                             bad + R"("]}}})"),

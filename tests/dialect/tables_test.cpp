@@ -133,14 +133,18 @@ TEST(Controls, HaveOneModalGroupOfARole) {
 
 TEST(Controls, OfMillsKnowTheSameControlOnALathe) {
     for (const ControlModel* control : controls()) {
-        if (control->lathe == nullptr) continue;
-        EXPECT_EQ(control->machine, Machine::mill);
-        EXPECT_EQ(control->lathe->machine, Machine::lathe);
-        EXPECT_EQ(control->lathe->model, control->model);
-        EXPECT_EQ(find_control(control->lathe->name), control->lathe);
+        for (const ControlModel* lathe : control->lathes) {
+            EXPECT_EQ(lathe->machine, Machine::lathe);
+            EXPECT_EQ(lathe->model, control->model);
+            EXPECT_EQ(find_control(lathe->name), lathe);
+            EXPECT_EQ(control->lathe_of(lathe->code_system), lathe);
+        }
     }
-    EXPECT_EQ(find_control("fanuc-30i")->lathe, find_control("fanuc-30i-lathe"));
-    EXPECT_EQ(find_control("nct")->lathe, nullptr);
+    EXPECT_EQ(find_control("fanuc-30i")->lathe_of('A'), find_control("fanuc-30i-lathe"));
+    EXPECT_EQ(find_control("fanuc-30i-lathe")->lathe_of('B'), find_control("fanuc-30i-lathe-b"));
+    EXPECT_EQ(find_control("fanuc-30i-lathe-b")->lathe_of('A'), nullptr) << "who names one means it";
+    EXPECT_EQ(find_control("haas")->lathe_of('B'), nullptr);
+    EXPECT_EQ(find_control("nct")->lathe_of('A'), nullptr);
     EXPECT_EQ(find_control("dinplus")->machine, Machine::lathe);
 }
 
@@ -170,6 +174,14 @@ TEST(Controls, ModalVariablesReadTheGroupOfTheirNumber) {
 TEST(CodeTable, KnowsMillsFromLathes) {
     EXPECT_EQ(fanuc::codes_of(*find_control("fanuc")).g_code(90).group, 2);
     EXPECT_EQ(fanuc::codes_of(*find_control("fanuc-lathe")).g_code(90).group, 0) << "a turning cycle";
+    const ControlModel& b = *find_control("fanuc-lathe-b");
+    const ControlModel& c = *find_control("fanuc-lathe-c");
+    EXPECT_EQ(fanuc::codes_of(b).g_code(90).group, *b.group_with(ModalRole::distance));
+    EXPECT_EQ(fanuc::codes_of(b).g_code(77).group, *b.group_with(ModalRole::motion));
+    EXPECT_EQ(fanuc::codes_of(b).g_code(95).group, *b.group_with(ModalRole::feed_mode));
+    EXPECT_EQ(fanuc::codes_of(b).g_code(20).group, *b.group_with(ModalRole::units));
+    EXPECT_EQ(fanuc::codes_of(c).g_code(20).group, *c.group_with(ModalRole::motion));
+    EXPECT_EQ(fanuc::codes_of(c).g_code(71).group, *c.group_with(ModalRole::units));
     EXPECT_EQ(fanuc::codes_of(*find_control("fanuc")).g_code(54.1).group, 13);
     EXPECT_EQ(fanuc::codes_of(*find_control("fanuc")).g_code(777).group, fanuc::no_group);
     EXPECT_EQ(fanuc::codes_of(*find_control("fanuc")).g_code(-1).group, fanuc::no_group);

@@ -221,8 +221,10 @@ TEST(LetterO, IsNoFigureWhereAProgramBegins) {
 }
 
 TEST(TwoStatements, AreANoteBecauseNoManualTells) {
-    for (const char* block : {"#101=5 #102=6", "#101=5 GOTO5", "#101=5 IF[#102EQ2]GOTO5"})
+    for (const char* block : {"#101=5 #102=6", "#101=5 IF[#102EQ2]GOTO5"})
         EXPECT_THAT(told(block, "fanuc-16i"), ElementsAre("note MAC332")) << block;
+    EXPECT_THAT(told("#101=5 GOTO5", "fanuc-16i"), ElementsAre("warning MAC332")) << "tried at machines";
+    EXPECT_THAT(told("#101=5 GOTO5", "haas"), IsEmpty());
 }
 
 TEST(LetterO, AloneMayBeAJump) {

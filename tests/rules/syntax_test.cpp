@@ -165,9 +165,14 @@ TEST(BareRemark, ChangesNothingInTheProgram) {
 
 TEST(UnknownKeyword, SaysWhatTakesThePlaceOfAnIfWithBlocks) {
     const std::string text = "O1\nIF[#100EQ1]THEN\n#101=2\nELSE\n#101=3\nENDIF\nM30\n";
-    EXPECT_THAT(told(text), ElementsAre("2: error MAC118 +4 +6"));
-    EXPECT_THAT(first_message(text),
+    cli::Overrides named;
+    named.control = "fanuc-16i";
+    const cli::Result result = test::lint_texts({{"O1.nc", text}}, std::move(named));
+    EXPECT_THAT(told(result), ElementsAre("2: error MAC118 +4 +6"));
+    EXPECT_THAT(result.findings.front().finding.message(),
                 AllOf(StartsWith("No block IF on this control"), HasSubstr("IF and GOTO")));
+    EXPECT_THAT(first_message(text), AllOf(StartsWith("Block IF: the assumed control has none"),
+                                           HasSubstr("mitsubishi or mazak-eia")));
 }
 
 TEST(UnknownKeyword, AThenWithItsStatementIsNoBlock) {

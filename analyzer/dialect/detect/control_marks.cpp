@@ -21,6 +21,18 @@ bool parameter_variable(const Line& line) {
     return false;
 }
 
+/// `#10000` to `#10999`: common variables of a Haas, tool offsets of others.
+bool high_common(const Line& line) {
+    constexpr std::size_t digits = 5;
+    const std::string_view code = line.code();
+    for (std::size_t at = code.find("#10"); at != std::string_view::npos; at = code.find("#10", at + 1)) {
+        std::size_t end = at + 1;
+        while (end < code.size() && is_digit(code[end])) ++end;
+        if (end - at - 1 == digits) return true;
+    }
+    return false;
+}
+
 bool holds_word(std::string_view text, std::string_view word) {
     for (std::size_t at = text.find(word); at != std::string_view::npos; at = text.find(word, at + 1)) {
         const std::size_t end = at + word.size();
@@ -47,9 +59,16 @@ bool says_its_control(const Line& line) {
     return maker(line) && (holds_word(line.comment(), "CONTROLLER") || holds_word(line.comment(), "CONTROL"));
 }
 
+enum class Stands : std::uint8_t {
+    in_code,
+    in_remark,
+    beside_code, ///< in code, and counts only beside another one there
+};
+
 struct Mark {
     std::string_view control;
     int points;
+    Stands stands;
     std::uint64_t characters; ///< that the line must hold
     bool (*holds)(const Line&);
     std::string_view called;
@@ -58,15 +77,16 @@ struct Mark {
 
 // clang-format off
 constexpr Mark marks[] = {
-    {"haas", 2, characters_of("#3."), parameter_variable, "a variable like #30003.036",  "T: Haas macro variables of settings and parameters"},
-    {"haas", 1, characters_of("G103P"), block_look_ahead,   "G103 with P",                 "T: Haas G codes, limit block look-ahead"},
-    {"haas", 1, characters_of("G187"), smoothness,         "G187 with P or E",            "T: Haas G codes, smoothness level"},
-    {"haas", 1, characters_of("G154P"), more_work_offsets,  "G154 with P",                 "T: Haas G codes, work coordinates P1-P99"},
-    {"haas", 1, characters_of("M97P"), local_program,      "M97 with P",                  "T: Haas M codes, local subprogram call"},
-    {"haas", 1, characters_of("#8550"), tool_data,          "#8550",                       "T: Haas macro variables, individual tool data"},
-    {"haas", 1, characters_of("NGC"), next_generation,    "'NGC' in a remark",           "T: Haas Next Generation Control"},
-    {"haas", 1, characters_of("HAAS"), maker,              "'HAAS' in a remark",          "T: the maker's name"},
-    {"haas", 1, characters_of("HAASCONTROL"), says_its_control,   "a remark that names the control", "T"},
+    {"haas", 2, Stands::in_code,     characters_of("#3."), parameter_variable, "a variable like #30003.036",  "T: Haas macro variables of settings and parameters"},
+    {"haas", 1, Stands::in_code,     characters_of("G103P"), block_look_ahead,   "G103 with P",                 "T: Haas G codes, limit block look-ahead"},
+    {"haas", 1, Stands::in_code,     characters_of("G187"), smoothness,         "G187 with P or E",            "T: Haas G codes, smoothness level"},
+    {"haas", 1, Stands::in_code,     characters_of("G154P"), more_work_offsets,  "G154 with P",                 "T: Haas G codes, work coordinates P1-P99"},
+    {"haas", 1, Stands::in_code,     characters_of("M97P"), local_program,      "M97 with P",                  "T: Haas M codes, local subprogram call"},
+    {"haas", 1, Stands::in_code,     characters_of("#8550"), tool_data,          "#8550",                       "T: Haas macro variables, individual tool data"},
+    {"haas", 1, Stands::in_remark,   characters_of("NGC"), next_generation,    "'NGC' in a remark",           "T: Haas Next Generation Control"},
+    {"haas", 1, Stands::beside_code, characters_of("#10"),   high_common,        "a variable like #10100",      "T: Haas macro variables, #10000 to #10999 are common ones"},
+    {"haas", 1, Stands::in_remark,   characters_of("HAAS"), maker,              "'HAAS' in a remark",          "T: the maker's name"},
+    {"haas", 1, Stands::in_remark,   characters_of("HAASCONTROL"), says_its_control,   "a remark that names the control", "T"},
 };
 // clang-format on
 
@@ -82,10 +102,15 @@ void ControlEvidence::add(const Line& line, std::size_t number) {
 }
 
 int ControlEvidence::points_of(std::string_view control) const {
-    int points = 0;
-    for (std::size_t i = 0; i < std::size(marks); ++i)
-        if (lines_[i] != 0 && marks[i].control == control) points += marks[i].points;
-    return points;
+    int points = 0, beside_code = 0;
+    bool code = false;
+    for (std::size_t i = 0; i < std::size(marks); ++i) {
+        const Mark& mark = marks[i];
+        if (lines_[i] == 0 || mark.control != control) continue;
+        (mark.stands == Stands::beside_code ? beside_code : points) += mark.points;
+        code |= mark.stands == Stands::in_code;
+    }
+    return code ? points + beside_code : points;
 }
 
 std::string_view ControlEvidence::verdict() const {

@@ -47,6 +47,7 @@ ControlModel make() {
     control.language = "dinplus";
     control.model = "dinplus";
     control.description = "HEIDENHAIN DIN PLUS";
+    control.has_block_if = true;
     control.machine = Machine::lathe; // CNC PILOT, MANUALplus
     control.assumed = false;
     control.return_word = "RETURN"; // l.2949, l.19944

@@ -15,9 +15,7 @@ constexpr std::uint16_t sync = synchronises;
 constexpr std::uint16_t rapid = without_feed;
 constexpr std::uint16_t limit = limits_ahead;
 constexpr std::uint16_t ref = to_reference;
-constexpr auto mill = Machine::mill;
-constexpr auto lathe = Machine::lathe;
-constexpr auto both = std::nullopt;
+constexpr std::string_view mill = "M", lathe = "ABC", lathe_a = "A", lathe_bc = "BC", both = "MABC";
 
 // A code that is missing here only sets its modal group, if it has one. Sources: fanuc-custom-macro.md
 // (section or key), T: general knowledge of the control, not confirmed by a manual page.
@@ -45,8 +43,9 @@ constexpr CodeFact facts[] = {
     {'G',  37,   both,  own | sync,                "T: automatic tool length measurement (skip)"},
     {'G',  37.1, both,  own | sync,                "as G37"},
     {'G',  37.2, both,  own | sync,                "as G37"},
-    {'G',  50,   lathe, no_axes | limits_speed,    "T: coordinate system setting, spindle speed limit"},
-    {'G',  50.3, lathe, no_axes,                   "T: coordinate system preset"},
+    {'G',  50,   lathe_a,  no_axes | limits_speed, "T: coordinate system setting, spindle speed limit"},
+    {'G',  50,   lathe_bc, no_axes,                "T: scaling off"},
+    {'G',  50.3, lathe_a, no_axes,                 "T: coordinate system preset"},
     {'G',  51,   mill,  no_axes,                   "T: scaling, axis words are its centre"},
     {'G',  51.1, mill,  no_axes,                   "T: mirror image, axis words are its axis"},
     {'G',  50.1, mill,  no_axes,                   "T: mirror image cancel, axis words name axes"},
@@ -59,6 +58,7 @@ constexpr CodeFact facts[] = {
     {'G',  68,   mill,  no_axes,                   "T: rotation, axis words are its centre"},
     {'G',  68.2, mill,  no_axes,                   "T: tilted plane, words are origin and angles"},
     {'G',  92,   mill,  no_axes | limits_speed,    "T: coordinate system setting, spindle speed limit"},
+    {'G',  92,   lathe_bc, no_axes | limits_speed, "GEDIT second hand: `G92 S` of systems B and C"},
     {'G',  92.1, both,  no_axes,                   "T: coordinate system preset"},
     {'G', 100,   both,  no_axes,                   "T: Haas, mirror image off, axis words name axes"},
     {'G', 101,   both,  no_axes,                   "T: Haas, mirror image on, axis words name axes"},
@@ -101,7 +101,9 @@ CodeTable build(const ControlModel& control) {
                 table.m_groups[static_cast<std::size_t>(code)] = static_cast<GroupId>(i);
         }
     for (const CodeFact& fact : facts) {
-        if (fact.machine.value_or(control.machine) != control.machine) continue;
+        if (const char machine = control.machine == Machine::mill ? 'M' : control.code_system;
+            fact.machines.find(machine) == std::string_view::npos)
+            continue;
         if (fact.letter == 'G')
             table.g[tenths(fact.code)].traits = fact.traits;
         else
@@ -138,10 +140,17 @@ GroupId CodeTable::m_group(double code) const {
 }
 
 const CodeTable& codes_of(const ControlModel& control) {
-    // All controls of a machine type share the layout of their modal groups.
+    // All controls of a machine type and system share the layout of their modal groups.
     static const CodeTable of_mills = build(fanuc_control("fanuc"));
-    static const CodeTable of_lathes = build(*fanuc_control("fanuc").lathe);
-    return control.machine == Machine::lathe ? of_lathes : of_mills;
+    static const CodeTable of_lathes_a = build(*fanuc_control("fanuc").lathe_of('A'));
+    static const CodeTable of_lathes_b = build(*fanuc_control("fanuc").lathe_of('B'));
+    static const CodeTable of_lathes_c = build(*fanuc_control("fanuc").lathe_of('C'));
+    switch (control.code_system) {
+    case 'A': return of_lathes_a;
+    case 'B': return of_lathes_b;
+    case 'C': return of_lathes_c;
+    default: return of_mills;
+    }
 }
 
 } // namespace maclint::fanuc

@@ -28,7 +28,7 @@ enum Trait : std::uint16_t {
 struct CodeFact {
     char letter;
     double code;
-    std::optional<Machine> machine; ///< nothing: both
+    std::string_view machines; ///< M: mills; A, B, C: lathes of that G code system
     std::uint16_t traits;
     std::string_view source;
 };
@@ -62,7 +62,7 @@ struct CodeTable {
     [[nodiscard]] GroupId m_group(double code) const;
 };
 
-/// The table of the machine type that the control drives: a lathe reads words as G code system A does.
+/// The table of the machine type that the control drives, and of its G code system.
 [[nodiscard]] const CodeTable& codes_of(const ControlModel& control);
 
 } // namespace maclint::fanuc

@@ -45,6 +45,9 @@ class ErrorExplainer {
     [[nodiscard]] std::optional<SyntaxError> unknown_keyword() const;
     [[nodiscard]] std::optional<SyntaxError> symbolic_comparison() const;
     [[nodiscard]] std::optional<SyntaxError> missing_value() const;
+    [[nodiscard]] std::optional<SyntaxError> decimal_comma() const;
+    [[nodiscard]] std::optional<SyntaxError> sharp_without_number() const;
+    [[nodiscard]] std::optional<SyntaxError> missing_address() const;
     [[nodiscard]] std::optional<SyntaxError> bare_remark() const;
     [[nodiscard]] std::optional<SyntaxError> remark() const;
 
@@ -262,7 +265,10 @@ std::optional<SyntaxError> ErrorExplainer::unknown_keyword() const {
             return make(SyntaxErrorKind::unknown_keyword, join(token.span, next->span),
                         text_.substr(token.span.begin, next->span.end - token.span.begin), capitals(*next));
         if (is_known(token, next, depth)) continue;
-        return unknown_word(text_, token.span);
+        SyntaxError error = unknown_word(text_, token.span);
+        // A function has an argument: `T3 TAP M10` is no TAN.
+        if (is_function(error.cure) && !gives_value(next)) error.cure.clear();
+        return error;
     }
     return std::nullopt;
 }
@@ -318,6 +324,85 @@ std::optional<SyntaxError> ErrorExplainer::missing_value() const {
         if (next != nullptr && next->kind == TokenKind::other) continue;
         return make(SyntaxErrorKind::unreadable, token.span, text(token),
                     "a value after '" + shown(text(token)) + "'");
+    }
+    return std::nullopt;
+}
+
+/// `X1,5`
+std::optional<SyntaxError> ErrorExplainer::decimal_comma() const {
+    int depth = 0;
+    for (std::size_t i = 0; i + 2 < tokens_.size(); ++i) {
+        const Token& whole = tokens_[i];
+        const Token& comma = tokens_[i + 1];
+        const Token& decimals = tokens_[i + 2];
+        if (whole.kind == TokenKind::open) ++depth;
+        if (whole.kind == TokenKind::close) --depth;
+        const auto is_whole = [&](const Token& token) {
+            return token.kind == TokenKind::number && text(token).find('.') == std::string_view::npos;
+        };
+        if (depth > 0 || !is_whole(whole) || comma.kind != TokenKind::comma || !is_whole(decimals) ||
+            whole.span.end != comma.span.begin || comma.span.end != decimals.span.begin)
+            continue;
+        const bool has_address = i > 0 && tokens_[i - 1].kind == TokenKind::letters;
+        const Offset begin = has_address ? tokens_[i - 1].span.begin : whole.span.begin;
+        const Span span{begin, decimals.span.end};
+        SyntaxError error =
+            make(SyntaxErrorKind::unreadable, span, text_.substr(begin, span.length()),
+                 std::string(text(whole)) + "." + std::string(text(decimals)) + " with a decimal point");
+        error.remedy = {"Write a decimal point", false, {{comma.span, "."}}};
+        return error;
+    }
+    return std::nullopt;
+}
+
+/// `#ABS[#1]`
+std::optional<SyntaxError> ErrorExplainer::sharp_without_number() const {
+    for (std::size_t i = 0; i < tokens_.size(); ++i) {
+        if (tokens_[i].kind != TokenKind::sharp) continue;
+        const Token* next = at(i + 1);
+        if (next != nullptr && (next->kind != TokenKind::letters || !is_function(capitals(*next)))) continue;
+        const Span span = next == nullptr ? tokens_[i].span : join(tokens_[i].span, next->span);
+        return make(SyntaxErrorKind::unreadable, span, text_.substr(span.begin, span.length()),
+                    "the number of the variable after '#'");
+    }
+    return std::nullopt;
+}
+
+/// The letter that stands before the variable in all other places of the program; 0: none, or several do.
+char address_elsewhere(std::string_view text, std::string_view variable, Offset not_here) {
+    constexpr Offset looked_at = 64 * 1024;
+    const Offset first = not_here > looked_at ? not_here - looked_at : 0;
+    text = text.substr(0, std::min<std::size_t>(text.size(), std::size_t{not_here} + looked_at));
+    char letter = 0;
+    for (std::size_t at = text.find(variable, first); at != std::string_view::npos;
+         at = text.find(variable, at + 1)) {
+        const std::size_t end = at + variable.size();
+        if (at == 0 || (end < text.size() && is_digit(text[end])) || !is_letter(text[at - 1])) continue;
+        if (at > 1 && is_letter(text[at - 2])) continue; // the end of a keyword
+        const char before = to_capital(text[at - 1]);
+        if (letter != 0 && letter != before) return 0;
+        letter = before;
+    }
+    return letter;
+}
+
+/// `H31 #675`: a variable behind a word that has its value.
+std::optional<SyntaxError> ErrorExplainer::missing_address() const {
+    for (std::size_t i = 1; i < tokens_.size(); ++i) {
+        const Token& variable = tokens_[i];
+        const Token& before = tokens_[i - 1];
+        if (before.kind == TokenKind::open || before.kind == TokenKind::close) return std::nullopt;
+        if (variable.kind != TokenKind::variable ||
+            (before.kind != TokenKind::number && before.kind != TokenKind::variable))
+            continue;
+        const Token* next = at(i + 1);
+        if (next != nullptr && next->kind == TokenKind::equals) continue; // a statement
+        const std::string_view written = text(variable);
+        const char letter = address_elsewhere(text_, written, variable.span.begin);
+        return make(SyntaxErrorKind::unreadable, variable.span, written,
+                    letter == 0
+                        ? std::string("an address before the variable")
+                        : std::string("an address before the variable, which is ") + letter + " elsewhere");
     }
     return std::nullopt;
 }
@@ -394,12 +479,26 @@ Span whole_words(std::string_view text, Span block, Span span) {
     return span;
 }
 
+/// What is called so in the grammar, in the user's words; empty where these would help nobody.
+std::string expected_node(Kind kind) {
+    switch (kind) {
+    case Kind::variable:
+    case Kind::indirect_variable:
+    case Kind::named_variable: return "a variable";
+    case Kind::number: return "a number";
+    case Kind::literal_word:
+    case Kind::word: return "an address and its value";
+    case Kind::bracket: return "a value in [ ]";
+    case Kind::condition: return "a condition in [ ]";
+    case Kind::comment: return "a remark in ( )";
+    default: return {};
+    }
+}
+
 /// What the parser put in, in the user's words.
 std::string expected_word(const syntax::Node& node) {
-    if (kind_of(node) == Kind::variable) return "a variable";
-    if (kind_of(node) == Kind::number) return "a number";
-    const std::string name(syntax::symbol_name(grammar, node.symbol));
-    return node.named ? name : "'" + name + "'";
+    if (node.named) return expected_node(kind_of(node));
+    return "'" + std::string(syntax::symbol_name(grammar, node.symbol)) + "'";
 }
 
 void sort_unique(std::vector<std::int64_t>& numbers) {
@@ -429,8 +528,10 @@ std::optional<SyntaxError> find_cause(std::string_view text, Span block) {
     const ErrorExplainer explainer(text, block);
     for (const auto cause :
          {&ErrorExplainer::bare_remark, &ErrorExplainer::remark, &ErrorExplainer::parenthesis_as_bracket,
-          &ErrorExplainer::bracket_mismatch, &ErrorExplainer::letter_o, &ErrorExplainer::unknown_keyword,
-          &ErrorExplainer::symbolic_comparison, &ErrorExplainer::missing_value})
+          &ErrorExplainer::bracket_mismatch, &ErrorExplainer::letter_o, &ErrorExplainer::decimal_comma,
+          &ErrorExplainer::sharp_without_number, &ErrorExplainer::unknown_keyword,
+          &ErrorExplainer::symbolic_comparison, &ErrorExplainer::missing_value,
+          &ErrorExplainer::missing_address})
         if (std::optional<SyntaxError> found = (explainer.*cause)()) return found;
     return std::nullopt;
 }

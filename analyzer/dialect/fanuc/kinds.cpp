@@ -32,6 +32,7 @@ constexpr std::pair<std::string_view, Kind> kinds[] = {
     {"malformed_word", Kind::malformed_word},
     {"letter_o_word", Kind::letter_o_word},
     {"stray_parenthesis", Kind::stray_parenthesis},
+    {"block_condition", Kind::block_condition},
     {"address", Kind::address},
     {"incremental", Kind::incremental},
     {"assignment", Kind::assignment},

@@ -35,6 +35,7 @@ enum class Kind : std::uint8_t {
     malformed_word,
     letter_o_word,
     stray_parenthesis,
+    block_condition,
     address,
     incremental,
     assignment,

@@ -1,5 +1,8 @@
 //! Lowering of blocks and macro statements.
+#include "analyzer/dialect/ascii.hpp"
+#include "analyzer/dialect/characters.hpp"
 #include "analyzer/dialect/fanuc/diagnose.hpp"
+#include "analyzer/dialect/fanuc/keywords.hpp"
 #include "analyzer/dialect/fanuc/lowering.hpp"
 #include "analyzer/dialect/fanuc/tables.hpp"
 #include "analyzer/dialect/numbers.hpp"
@@ -110,6 +113,10 @@ void BlockLowering::lower_items(std::span<const Node* const> items) {
         const std::size_t next = std::max(after, i + 1);
         const bool goes_on = next < items.size() && kind_of(*items[next]) == Kind::bare_value;
         goes_on_ = goes_on ? items[next - 1] : nullptr;
+        if (kind == Kind::block_condition) {
+            lower_block_condition(*items[i], items.subspan(i + 1));
+            return;
+        }
         if (!is_word(kind)) {
             lower_statement(*items[i++]);
             continue;
@@ -128,6 +135,7 @@ void BlockLowering::lower_statement(const Node& node) {
     case Kind::do_statement: lower_loop_mark(node, RegionMark::Part::open); break;
     case Kind::end_statement: lower_loop_mark(node, RegionMark::Part::close); break;
     case Kind::output_statement: lower_output(node); break;
+    case Kind::foreign_keyword: divide_block_if(node); break;
     default: break; // numbers without address, names of variables, words of other dialects: nothing happens
     }
 }
@@ -205,9 +213,73 @@ void BlockLowering::lower_if(const Node& node) {
         if (field_of(part) == Field::consequence) consequences.push_back(&part);
     });
     check_consequences(node, consequences);
+    if (consequences.empty() && child(node, Field::then) != nullptr) {
+        open_block_if(node, test);
+        return;
+    }
     const std::size_t first = builder_->effect_count();
     lower_items(consequences);
     guard(test, first, span(node));
+}
+
+/// `IF [#1 EQ 2] THEN` with nothing behind it, where a control has blocks up to ELSE or ENDIF.
+void BlockLowering::open_block_if(const Node& node, ExpressionId test) {
+    const ControlModel& control = *program_->control;
+    const Span whole = span(node);
+    std::optional<std::size_t> refusal;
+    if (!control.has_block_if) {
+        const std::size_t before = syntax_errors_.size();
+        refuse(SyntaxErrorKind::missing_construct, whole, "");
+        if (syntax_errors_.size() == before) return;
+        syntax_errors_.back().subject = "THEN";
+        syntax_errors_.back().cure = in_place_of_block_if;
+        if (!control.assumed) return;
+        refusal = before;
+    }
+    block_ifs_.push_back(refusal);
+    effect({RegionMark{RegionKind::choice, RegionMark::Part::open, std::nullopt, test}, whole});
+}
+
+/// ELSE and ENDIF of an open IF; anywhere else they are words of another language.
+bool BlockLowering::is_of_block_if(const Node& keyword) const {
+    const std::string word = in_capitals(text(keyword));
+    return !block_ifs_.empty() && (word == "ELSE" || word == "ENDIF");
+}
+
+void BlockLowering::divide_block_if(const Node& keyword) {
+    if (!is_of_block_if(keyword)) return;
+    const bool ends = to_capital(text(keyword).back()) == 'F';
+    const auto part = ends ? RegionMark::Part::close : RegionMark::Part::middle;
+    if (ends) block_ifs_.pop_back();
+    effect({RegionMark{RegionKind::choice, part, std::nullopt, std::nullopt}, span(keyword)});
+}
+
+void BlockLowering::end_program() {
+    for (const std::optional<std::size_t>& refusal : block_ifs_)
+        if (refusal) // nothing speaks for a control that has it: THEN lacks its statement
+            syntax_errors_[*refusal].answer = Answer::stops;
+    block_ifs_.clear();
+}
+
+/// `[#1 LT 5] M99 P10`: a condition of what stands behind it, where a control has that before M99.
+void BlockLowering::lower_block_condition(const Node& node, std::span<const Node* const> rest) {
+    const Node* condition = first_child(node);
+    if (condition == nullptr) return;
+    const bool before_return = std::ranges::any_of(rest, [&](const Node* word) {
+        return kind_of(*word) == Kind::literal_word && to_capital(text(*word).front()) == 'M' &&
+               read_integer(text(*word)) == 99;
+    });
+    if (before_return)
+        refuse(SyntaxErrorKind::condition_before_return, span(node), "");
+    else if (std::ranges::find(items_, Kind::foreign_keyword, [](const Node* item) {
+                 return kind_of(*item);
+             }) == items_.end()) // the condition of an ELSEIF
+        report(SyntaxErrorKind::unreadable, span(node), "an address or IF before it");
+    const ExpressionId test = lower_condition(*condition);
+    const std::size_t first = builder_->effect_count();
+    lower_items(rest);
+    guard(before_return ? test : unreadable(span(node)), first,
+          join(span(node), rest.empty() ? span(node) : span(*rest.back())));
 }
 
 void BlockLowering::lower_while(const Node& node) {

@@ -77,7 +77,7 @@ void BlockLowering::check_words() {
         else if (kind == Kind::symbolic_operator) // [3: comparisons give no value]
             report(SyntaxErrorKind::unreadable, span(node),
                    "a calculation, because only IF and WHILE compare");
-        else if (kind == Kind::foreign_keyword)
+        else if (kind == Kind::foreign_keyword && !is_of_block_if(node))
             syntax_errors_.push_back(unknown_word(program_->text, span(node)));
     }
 }

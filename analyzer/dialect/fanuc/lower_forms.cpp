@@ -70,6 +70,8 @@ void BlockLowering::check_row(std::span<const Node* const> items) {
     const Span rest = join(span(*second), span(*items.back()));
     if (kind_of(*first) == Kind::goto_statement)
         refuse(SyntaxErrorKind::words_after_jump, rest, "");
+    else if (first_is_statement && kind_of(*second) == Kind::goto_statement)
+        refuse(SyntaxErrorKind::jump_beside_statement, rest, "");
     else if (first_is_statement && is_statement(kind_of(*second)))
         refuse(SyntaxErrorKind::statement_beside_statement, rest, "");
     else
@@ -81,11 +83,7 @@ void BlockLowering::check_consequences(const Node& if_statement, std::span<const
     const bool has_then = child(if_statement, Field::then) != nullptr;
     const Span whole = span(if_statement);
     if (consequences.empty()) {
-        if (has_then)
-            syntax_errors_.push_back(
-                {SyntaxErrorKind::missing_construct, whole, "THEN", std::string(in_place_of_block_if)});
-        else
-            refuse(SyntaxErrorKind::condition_alone, whole, "");
+        if (!has_then) refuse(SyntaxErrorKind::condition_alone, whole, "");
         return;
     }
     const Kind first = kind_of(*consequences.front());

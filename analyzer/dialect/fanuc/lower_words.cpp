@@ -220,9 +220,17 @@ void BlockLowering::lower_machine_function(const NcWord& word, std::span<const N
     if (*word.literal == 6) effect({ToolChange{}, here});
     if (*word.literal == 98) lower_subprogram_call(calls::m98, word, words, span);
     if (*word.literal == 198) lower_subprogram_call(calls::m198, word, words, span);
-    if (*word.literal == 99) effect({Return{std::nullopt, value_of('P')}, span});
+    if (*word.literal == 99) lower_return(value_of('P'), span);
     if (*word.literal == 97) // Haas
         if (const std::optional<ExpressionId> label = value_of('P')) lower_local_call(*label, span);
+}
+
+/// `M99 P10` is a jump where it stays in its program.
+void BlockLowering::lower_return(std::optional<ExpressionId> label, Span span) {
+    if (label && return_jumps_in_program(*program_->control))
+        effect({Jump{*label}, span});
+    else
+        effect({Return{std::nullopt, label}, span});
 }
 
 /// The blocks from a label to M99 run as a subprogram of this program. They may run, reading goes on here,

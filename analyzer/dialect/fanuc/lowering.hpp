@@ -28,6 +28,9 @@ class BlockLowering : private TreeLowering {
     /// others.
     void lower(const syntax::Tree& tree, Span block, ProgramBuilder& builder);
 
+    /// After the last block of a program.
+    void end_program();
+
   private:
     // ---- the block and its statements (lower.cpp)
     [[nodiscard]] std::span<const Node* const> take_head(Block& block,
@@ -42,6 +45,10 @@ class BlockLowering : private TreeLowering {
     void lower_loop_mark(const Node& node, RegionMark::Part part);
     [[nodiscard]] std::optional<std::int64_t> loop_number(const Node& mark) const;
     void lower_output(const Node& node);
+    void open_block_if(const Node& node, ExpressionId test);
+    void divide_block_if(const Node& keyword);
+    [[nodiscard]] bool is_of_block_if(const Node& keyword) const;
+    void lower_block_condition(const Node& node, std::span<const Node* const> rest);
     void store(const Node& target, ExpressionId value, Span span);
     void store_numbered(std::int64_t number, Span target, ExpressionId value, Span span);
 
@@ -62,6 +69,7 @@ class BlockLowering : private TreeLowering {
     void lower_machine_function(const NcWord& word, std::span<const NcWord> words, Span span);
     void lower_subprogram_call(CallKindId kind, const NcWord& code, std::span<const NcWord> words, Span span);
     void report_missing_program(const NcWord& code, std::span<const NcWord> words);
+    void lower_return(std::optional<ExpressionId> label, Span span);
     void lower_local_call(ExpressionId label, Span span);
     [[nodiscard]] bool holds_repeats(const NcWord& program) const;
     [[nodiscard]] Slice arguments_from(std::span<const NcWord> words);
@@ -113,6 +121,9 @@ class BlockLowering : private TreeLowering {
     void check_increment(Span address);
 
     const CodeTable& codes_;
+    /// The IFs that have opened blocks and wait for ENDIF: the syntax error that each is on the assumed
+    /// control, if it is one.
+    std::vector<std::optional<std::size_t>> block_ifs_;
     Nodes items_;               ///< of the block
     std::vector<NcWord> words_; ///< that stand side by side
     std::vector<ExpressionId> computed_;

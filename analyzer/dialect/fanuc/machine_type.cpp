@@ -21,40 +21,83 @@ struct BlockWords {
     bool p_of_six = false;     ///< P020060: passes, chamfer and angle of a thread
     bool z = false, r = false;
     bool others = false; ///< but G, N and R
+
+    bool g92 = false, g32 = false, g33 = false;
+    bool turning_a = false; ///< G90, G94: a turning cycle of A where axes stand beside it
+    bool turning_b = false; ///< G77 to G79
+    bool turning_c = false; ///< G20, G21, G24: as G90 of A
+    bool feed_a = false;    ///< G98, G99
+    bool feed_bc = false;   ///< G94, G95
+    bool unit_c = false;    ///< G70, G71
+    bool hole = false;      ///< G80 to G89
+    bool own_u = false;     ///< G04, G10, G71 to G76: U and W mean something of their own
+    bool x_or_z = false, u_or_w = false, f = false;
 };
 
 struct Signs {
-    bool mill = false;        ///< Y, G17, G19, G43, G49, G91, M6
-    bool turning = false;     ///< G50 S, G96, G70-G73 P Q, G74 R, G76 P020060
-    bool incremental = false; ///< U or W with X or Z elsewhere
-    bool turret = false;      ///< T0101
+    bool mill = false;     ///< Y, G17, G19, G43, G49, M6
+    bool distance = false; ///< G91, which system A has not
+    bool turning = false;  ///< G50 S, G96, G70-G73 P Q, G74 R, G76 P020060
+    bool surface_speed = false;
+    bool incremental = false;             ///< U or W with X or Z elsewhere
+    bool turret = false;                  ///< T0101
+    bool a = false, b = false, c = false; ///< marks of the G code systems, fanuc-lathe-answers.md section 1
 
     void take(const BlockWords& block) {
         turning |= (block.g50 && block.s) || (block.cycle && block.p && block.q && !block.z_or_r) ||
                    (block.threading && block.p_of_six && !block.z) ||
                    (block.pecking && block.r && !block.others);
+        const bool axes = block.x_or_z || block.u_or_w;
+        const bool profile = block.p && block.q;
+        a |= (block.g50 && block.s) || (block.feed_a && !block.hole) || (block.u_or_w && !block.own_u) ||
+             (axes && block.f && (block.g92 || block.turning_a)) || (axes && block.g32);
+        b |= (block.g92 && block.s && !axes) || (block.feed_bc && !axes) ||
+             (block.turning_b && axes && !profile) || (block.g33 && axes);
+        c |= (block.unit_c && !axes && !block.p && !block.r) || (block.turning_c && axes && block.f);
+    }
+
+    /// A bare G90 tells nothing: it stands in the first line of lathes of all systems.
+    [[nodiscard]] char system() const {
+        if (a) return 'A';
+        if (c) return 'C';
+        return b ? 'B' : 'A';
     }
 };
+
+void take_code(double code, BlockWords& block, Signs& signs) {
+    const auto is = [&](double first, double last) { return code >= first && code <= last; };
+    signs.mill |= code == 17 || code == 19 || code == 43 || code == 49;
+    signs.distance |= code == 91;
+    signs.surface_speed |= code == 96;
+    block.g50 |= code == 50;
+    block.cycle |= is(70, 73);
+    block.pecking |= is(74, 75);
+    block.threading |= code == 76;
+    block.g92 |= code == 92;
+    block.g32 |= code == 32;
+    block.g33 |= code == 33;
+    block.turning_a |= code == 90 || code == 94;
+    block.turning_b |= is(77, 79);
+    block.turning_c |= is(20, 21) || code == 24;
+    block.feed_a |= is(98, 99);
+    block.feed_bc |= is(94, 95);
+    block.unit_c |= is(70, 71);
+    block.hole |= is(80, 89);
+    block.own_u |= code == 4 || code == 10 || is(71, 76);
+}
 
 void take_word(char letter, std::string_view digits, BlockWords& block, Signs& signs) {
     const auto is_whole = [&] { return digits.find('.') == std::string_view::npos; };
     block.others |= letter != 'G' && letter != 'N' && letter != 'R';
     block.z |= letter == 'Z';
     block.r |= letter == 'R';
+    block.x_or_z |= letter == 'X' || letter == 'Z';
     switch (letter) {
     case 'Y': signs.mill = true; break;
-    case 'G': {
-        const double value = read_number(digits).value;
-        signs.mill |= value == 17 || value == 19 || value == 43 || value == 91 || value == 49;
-        signs.turning |= value == 96;
-        block.g50 |= value == 50;
-        block.cycle |= value >= 70 && value <= 73;
-        block.pecking |= value == 74 || value == 75;
-        block.threading |= value == 76;
-        break;
-    }
+    case 'G': take_code(read_number(digits).value, block, signs); break;
     case 'M': signs.mill |= read_number(digits).value == 6; break;
     case 'S': block.s = true; break;
+    case 'F': block.f = true; break;
     case 'P':
         block.p = is_whole();
         block.p_of_six = is_whole() && digits.size() == 6;
@@ -63,7 +106,10 @@ void take_word(char letter, std::string_view digits, BlockWords& block, Signs& s
     case 'Z':
     case 'R': block.z_or_r = true; break;
     case 'U':
-    case 'W': signs.incremental = true; break;
+    case 'W':
+        signs.incremental = true;
+        block.u_or_w = true;
+        break;
     case 'T': signs.turret |= digits.size() == 4; break;
     default: break;
     }
@@ -75,12 +121,14 @@ void take_computed_word(char letter, BlockWords& block, Signs& signs) {
     block.z_or_r |= letter == 'Z' || letter == 'R';
     block.z |= letter == 'Z';
     block.r |= letter == 'R';
+    block.f |= letter == 'F';
+    block.s |= letter == 'S';
+    block.x_or_z |= letter == 'X' || letter == 'Z';
+    block.u_or_w |= letter == 'U' || letter == 'W';
     block.others |= letter != 'R';
 }
 
-} // namespace
-
-bool is_written_for_lathe(std::string_view text) {
+Signs signs_in(std::string_view text) {
     text = text.substr(0, looked_at);
     Signs signs;
     BlockWords block;
@@ -112,7 +160,22 @@ bool is_written_for_lathe(std::string_view text) {
             take_computed_word(letter, block, signs);
     }
     signs.take(block);
-    return !signs.mill && (signs.turning || (signs.turret && signs.incremental));
+    return signs;
+}
+
+} // namespace
+
+char lathe_system_of(std::string_view text, Machine machine) {
+    const Signs signs = signs_in(text);
+    const char system = signs.system();
+    if (machine == Machine::lathe) return system;
+    if (signs.mill) return no_lathe;
+    if (system == 'A' && signs.distance) return no_lathe;
+    // What turns in A alone does not tell in the others, and a mill has G94 and G92 S, too.
+    const bool turns = system == 'A'
+                           ? signs.turning || signs.surface_speed || (signs.turret && signs.incremental)
+                           : signs.turret || signs.surface_speed;
+    return turns ? system : no_lathe;
 }
 
 } // namespace maclint::fanuc

@@ -1,12 +1,18 @@
-//! Guesses from a program's text whether it was written for a lathe.
+//! Guesses from a program's text whether it was written for a lathe, and with which G code system.
 #pragma once
+
+#include "analyzer/program/tables.hpp"
 
 #include <string_view>
 
 namespace maclint::fanuc {
 
-/// Only when the words leave no doubt: turning cycles, speed limits or turret positions, and nothing of a
-/// mill.
-[[nodiscard]] bool is_written_for_lathe(std::string_view text);
+constexpr char no_lathe = 0;
+
+/// The G code system 'A', 'B' or 'C' of a text for a lathe. `machine` is what is known of it: of a mill, the
+/// words must leave no doubt that a lathe was meant (turning cycles, speed limits or turret positions, and
+/// nothing of a mill), else `no_lathe`. 'A' where nothing tells the systems apart, and where anything of A
+/// stands.
+[[nodiscard]] char lathe_system_of(std::string_view text, Machine machine);
 
 } // namespace maclint::fanuc

@@ -31,7 +31,9 @@ std::optional<std::int64_t> number_in(std::string_view name) {
 
 /// The control on the machine that the text is for.
 const ControlModel& control_for(const ControlModel& control, std::string_view text) {
-    return control.lathe != nullptr && is_written_for_lathe(text) ? *control.lathe : control;
+    if (control.lathes.empty()) return control;
+    const ControlModel* lathe = control.lathe_of(lathe_system_of(text, control.machine));
+    return lathe == nullptr ? control : *lathe;
 }
 
 constexpr std::array<bool, 256> bytes_of(std::string_view characters) {
@@ -193,6 +195,7 @@ class Family {
 
     void close_program() {
         close_run();
+        lowering_.end_program();
         if (!program_) return;
         const bool first = file_.programs.empty();
         if (first && !program_->program().items.empty()) program_->add_name(stem_of(source_.path()));

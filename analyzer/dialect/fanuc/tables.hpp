@@ -28,7 +28,8 @@ constexpr CallKindId g65 = 0, g66 = 1, g66_1 = 2, m98 = 3, m198 = 4;
 }
 
 [[nodiscard]] std::vector<ModalGroup> mill_groups();
-[[nodiscard]] std::vector<ModalGroup> lathe_groups();
+/// Of G code system 'A', 'B' or 'C'.
+[[nodiscard]] std::vector<ModalGroup> lathe_groups(char system);
 /// When feed and speed matter to no move.
 [[nodiscard]] std::vector<Idle> idle_values(std::span<const ModalGroup> groups);
 [[nodiscard]] std::vector<VariableSpace> variable_spaces();
@@ -55,6 +56,8 @@ constexpr std::array<std::int32_t, 26> local_of_letter{1, 2, 3, 7, 8, 9, 0, 11, 
 [[nodiscard]] bool has_variables_with_decimals(const ControlModel& control);
 /// Whether an I between address and value makes it incremental: `ZI5`.
 [[nodiscard]] bool has_incremental_words(const ControlModel& control);
+/// Whether `M99 P10` goes to N10 of its own program, and to none of a caller.
+[[nodiscard]] bool return_jumps_in_program(const ControlModel& control);
 /// "nct"
 [[nodiscard]] std::string controls_with_incremental_words();
 

@@ -9,37 +9,61 @@
 namespace maclint::fanuc {
 namespace {
 
-/// One row of the control table. Every row gives a mill and a lathe, named with "-lathe" after.
+/// One row of the control table. Every row gives a mill, and a lathe for each G code system that it has:
+/// "-lathe" stands after the name, and the system where it is not A ("fanuc-16i-lathe-b").
 struct ControlRow {
     std::string_view model;
     std::string_view description;
     bool assumed;
     Limits limits;
-    bool repeats_in_program_word; ///< M98 P51002 is 5 x O1002
-    bool has_lathe;
-    bool offset_is_group_12; ///< #4012 reads G54-G59
-    bool decimals;           ///< variables like #30003.036 read settings and parameters
-    bool increments;         ///< an I between address and value makes it incremental [NCT-9]
-    std::string_view alarms; ///< the list of its alarms
+    bool repeats_in_program_word;   ///< M98 P51002 is 5 x O1002
+    std::string_view lathe_systems; ///< "ABC"; empty: no lathe is known
+    bool offset_is_group_12;        ///< #4012 reads G54-G59
+    bool decimals;                  ///< variables like #30003.036 read settings and parameters
+    bool increments;                ///< an I between address and value makes it incremental [NCT-9]
+    std::string_view alarms;        ///< the list of its alarms
     /// `M99O0810`, as a control punches it where a program ended without an end of block: O begins the next
     /// program. Dumps of programs have it [T].
     Reading program_behind_end;
+    bool cycle_ended_by_motion; ///< G00 and its like end a canned cycle, as G80 does
+    bool return_jumps;          ///< `M99 P10` goes to N10 of its own program, not of the caller's
 };
 
 constexpr Reading takes = Reading::takes, quiet = Reading::unknown;
 
 // clang-format off
-const std::array<ControlRow, 7> rows{{
-    // model         description                              assumed  macro sub DO  first last [ ] source                                            P rep  lathe  #4012  decimals  ZI5    alarms              M99O2
-    {"fanuc",        "FANUC, series not named",               true,  {4,     4, 3,  1,    3,    5,  "as 16i/18i/21i"},                                true,  true,  false, false, false, "FANUC 16i/18i/21i", takes},
-    {"fanuc-16i",    "FANUC Series 16i/18i/21i",              false, {4,     4, 3,  1,    3,    5,  "MAN-PB278; SEED-001:462,395; MAN-16C287"},       true,  true,  false, false, false, "FANUC 16i/18i/21i", takes},
-    {"fanuc-0i-c",   "FANUC Series 0i-B/C",                   false, {4,     4, 3,  1,    3,    5,  "TENC-G65; T"},                                   true,  true,  false, false, false, "FANUC 16i/18i/21i", takes},
-    {"fanuc-0i-d",   "FANUC Series 0i-D/F",                   false, {5,    10, 3,  1,    3,    5,  "CNCWIKI-CALL, CNCWIKI-LOGIC; T"},                true,  true,  false, false, false, "FANUC 30i/0i-D",    takes},
-    {"fanuc-30i",    "FANUC Series 30i/31i/32i",              false, {5,    10, 3,  1,    3,    5,  "CNCWIKI-CALL, CNCWIKI-LOGIC; T"},                true,  true,  false, false, false, "FANUC 30i/0i-D",    takes},
-    {"nct",          "NCT 104-M",                             false, {4,     4, 3,  1,    3,    5,  "NCT-171; NCT-188; M98 and DO levels unknown"},   true,  false, false, false, true,  "NCT",               quiet},
-    {"haas",         "Haas",                                  false, {9,     9, 3,  1,    3,    5,  "T"},                                             false, true,  true,  true,  false, "",                  quiet},
+const std::array<ControlRow, 10> rows{{
+    // model         description                              assumed  macro sub DO  first last [ ] source                                            P rep  lathes #4012  decimals  ZI5    alarms              M99O2  G0=G80 M99P
+    {"fanuc",        "FANUC, series not named",               true,  {4,     4, 3,  1,    3,    5,  "as 16i/18i/21i"},                                true,  "ABC", false, false, false, "FANUC 16i/18i/21i", takes, true,  false},
+    {"fanuc-16i",    "FANUC Series 16i/18i/21i",              false, {4,     4, 3,  1,    3,    5,  "MAN-PB278; SEED-001:462,395; MAN-16C287"},       true,  "ABC", false, false, false, "FANUC 16i/18i/21i", takes, true,  false},
+    {"fanuc-0i-c",   "FANUC Series 0i-B/C",                   false, {4,     4, 3,  1,    3,    5,  "TENC-G65; T"},                                   true,  "ABC", false, false, false, "FANUC 16i/18i/21i", takes, true,  false},
+    {"fanuc-0i-d",   "FANUC Series 0i-D/F",                   false, {5,    10, 3,  1,    3,    5,  "CNCWIKI-CALL, CNCWIKI-LOGIC; T"},                true,  "ABC", false, false, false, "FANUC 30i/0i-D",    takes, true,  false},
+    {"fanuc-30i",    "FANUC Series 30i/31i/32i",              false, {5,    10, 3,  1,    3,    5,  "CNCWIKI-CALL, CNCWIKI-LOGIC; T"},                true,  "ABC", false, false, false, "FANUC 30i/0i-D",    takes, true,  false},
+    {"nct",          "NCT 104-M",                             false, {4,     4, 3,  1,    3,    5,  "NCT-171; NCT-188; M98 and DO levels unknown"},   true,  "",    false, false, true,  "NCT",               quiet, true,  false},
+    {"haas",         "Haas",                                  false, {9,     9, 3,  1,    3,    5,  "T"},                                             false, "A",   true,  true,  false, "",                  quiet, true,  true},
+    // Its manual of 1999 names G80 alone.
+    {"haas-1999",    "Haas of before 2000",                   false, {9,     9, 3,  1,    3,    5,  "T"},                                             false, "A",   true,  true,  false, "",                  quiet, false, true},
+    // Second hand: of these two only what the columns say is known.
+    {"mitsubishi",   "Mitsubishi M700/M800",                  false, {4,     8, 27, 1,    127,  5,  "CNCWIKI-CALL, CNCWIKI-SUB, CNCWIKI-LOGIC; T"},   false, "ABC", false, false, false, "",                  quiet, true,  false},
+    {"mazak-eia",    "Mazak, EIA/ISO programs",               false, {4,     8, 27, 1,    127,  5,  "T, as Mitsubishi"},                              false, "ABC", false, false, false, "",                  quiet, true,  false},
 }};
 // clang-format on
+
+/// "haas or nct"; "haas" stands for "haas-1999", too.
+template<class Has>
+std::string names_of(const Has& has) {
+    std::string names;
+    std::string_view last;
+    for (const ControlRow& row : rows) {
+        if (!has(row) || (!last.empty() && row.model.starts_with(last))) continue;
+        last = row.model;
+        names += (names.empty() ? "" : " or ") + std::string(row.model);
+    }
+    return names;
+}
+
+/// Of a control that nobody named. Calls: of the FANUC series; loop numbers: those of Mitsubishi, too.
+constexpr Limits most{5, 10, 27, 1, 127, 5, "CNCWIKI-CALL, CNCWIKI-LOGIC; T"};
 
 std::vector<CallKind> call_kinds() {
     // clang-format off
@@ -53,8 +77,10 @@ std::vector<CallKind> call_kinds() {
     // clang-format on
 }
 
-ControlModel make(const ControlRow& row, Machine machine) {
+/// `system` is the G code system of a lathe, 0 of a mill.
+ControlModel make(const ControlRow& row, char system) {
     ControlModel control;
+    const Machine machine = system == 0 ? Machine::mill : Machine::lathe;
     control.name = row.model;
     control.language = "fanuc";
     control.model = row.model;
@@ -62,14 +88,22 @@ ControlModel make(const ControlRow& row, Machine machine) {
     control.machine = machine;
     if (machine == Machine::lathe) {
         control.name += "-lathe";
-        control.description += ", lathe with G code system A";
+        if (system != 'A') control.name += std::string{'-', static_cast<char>(system - 'A' + 'a')};
+        control.description += std::string(", lathe with G code system ") + system;
     }
+    control.code_system = system;
     control.assumed = row.assumed;
     control.alarms = row.alarms;
     control.return_word = "M99"; // SEED-001:642
     control.limits = row.limits;
     control.spaces = variable_spaces();
-    control.groups = machine == Machine::lathe ? lathe_groups() : mill_groups();
+    control.groups = machine == Machine::lathe ? lathe_groups(system) : mill_groups();
+    // T: a canned cycle is cancelled by G80 or by a G code of group 01.
+    if (row.cycle_ended_by_motion)
+        control.groups[*control.group_with(ModalRole::cycle)].ended_by = ModalRole::motion;
+    control.has_block_if = reading_of(control, SyntaxErrorKind::missing_construct) == Reading::takes;
+    if (row.assumed) control.limits_at_most = most;
+    if (row.assumed) control.returns_within = names_of([](const ControlRow& r) { return r.return_jumps; });
     std::optional<GroupId> group_twelve;
     if (row.offset_is_group_12) group_twelve = control.group_with(ModalRole::work_offset);
     control.families = {numbered_variables(control.groups, group_twelve)};
@@ -92,10 +126,13 @@ ControlModel make(const ControlRow& row, Machine machine) {
 
 std::vector<ControlModel> make_all() {
     std::vector<ControlModel> controls;
-    controls.reserve(2 * rows.size()); // mills point to their lathes
+    controls.reserve(4 * rows.size()); // mills point to their lathes
     for (const ControlRow& row : rows) {
-        ControlModel& mill = controls.emplace_back(make(row, Machine::mill));
-        if (row.has_lathe) mill.lathe = &controls.emplace_back(make(row, Machine::lathe));
+        ControlModel& mill = controls.emplace_back(make(row, 0));
+        for (const char system : row.lathe_systems)
+            mill.lathes.push_back(&controls.emplace_back(make(row, system)));
+        // "-lathe" alone names no system: the text tells.
+        if (!mill.lathes.empty()) controls[controls.size() - mill.lathes.size()].lathes = mill.lathes;
     }
     return controls;
 }
@@ -113,31 +150,43 @@ const ControlModel& fanuc_control(std::string_view name) {
     return *control;
 }
 
-bool program_word_holds_repeats(const ControlModel& control) {
+namespace {
+
+/// nullptr: a control of another family.
+const ControlRow* row_of(const ControlModel& control) {
     const auto* row = std::ranges::find(rows, control.model, &ControlRow::model);
-    return row == rows.end() || row->repeats_in_program_word;
+    return row == rows.end() ? nullptr : row;
+}
+
+} // namespace
+
+bool program_word_holds_repeats(const ControlModel& control) {
+    const ControlRow* row = row_of(control);
+    return row == nullptr || row->repeats_in_program_word;
 }
 
 bool has_variables_with_decimals(const ControlModel& control) {
-    const auto* row = std::ranges::find(rows, control.model, &ControlRow::model);
-    return row != rows.end() && row->decimals;
+    const ControlRow* row = row_of(control);
+    return row != nullptr && row->decimals;
 }
 
 bool has_incremental_words(const ControlModel& control) {
-    const auto* row = std::ranges::find(rows, control.model, &ControlRow::model);
-    return row != rows.end() && row->increments;
+    const ControlRow* row = row_of(control);
+    return row != nullptr && row->increments;
+}
+
+bool return_jumps_in_program(const ControlModel& control) {
+    const ControlRow* row = row_of(control);
+    return row != nullptr && row->return_jumps;
 }
 
 Reading program_behind_end(const ControlModel& control) {
-    const auto* row = std::ranges::find(rows, control.model, &ControlRow::model);
-    return row == rows.end() ? Reading::unknown : row->program_behind_end;
+    const ControlRow* row = row_of(control);
+    return row == nullptr ? Reading::unknown : row->program_behind_end;
 }
 
 std::string controls_with_incremental_words() {
-    std::string names;
-    for (const ControlRow& row : rows)
-        if (row.increments) names += (names.empty() ? "" : " or ") + std::string(row.model);
-    return names;
+    return names_of([](const ControlRow& row) { return row.increments; });
 }
 
 } // namespace maclint::fanuc

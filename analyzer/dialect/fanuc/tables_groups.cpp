@@ -1,4 +1,4 @@
-//! Modal groups of mills and of lathes with G code system A. Row n - 1 is the group that #40n reads.
+//! Modal groups of mills and of lathes. Row n - 1 is the group that #40n reads.
 #include "analyzer/dialect/fanuc/tables.hpp"
 
 #include <algorithm>
@@ -33,8 +33,6 @@ void append_values(std::vector<ModalGroup>& groups) {
 // What codes of a group say of it and of others.
 void relate(std::vector<ModalGroup>& groups) {
     groups[*group_with(ModalRole::motion, groups)].circles = {2, 3};
-    // T: a canned cycle is cancelled by G80 or by a G code of group 01.
-    groups[*group_with(ModalRole::cycle, groups)].ended_by = ModalRole::motion;
 }
 
 } // namespace
@@ -72,7 +70,34 @@ std::vector<ModalGroup> mill_groups() {
     return groups;
 }
 
-std::vector<ModalGroup> lathe_groups() {
+namespace {
+
+/// What the rows of system A are in B and C, where G90 and G91 choose between absolute and incremental.
+void change_to_system(char system, std::vector<ModalGroup>& groups) {
+    constexpr std::string_view second_hand = "GEDIT, BLOG-FIX second hand; T";
+    constexpr std::size_t distance = 2, return_level = 10; // groups 03 and 11
+    // clang-format off
+    groups[distance]     = {"distance mode",             Role::distance,     'G', Restore::state, {90, 91}, {90},     none, none, second_hand};
+    groups[return_level] = {"canned cycle return level", Role::return_level, 'G', Restore::state, {98, 99}, {98, 99}, none, none, second_hand};
+    // clang-format on
+    for (ModalGroup& group : groups) {
+        if (group.role == Role::motion)
+            group.members = system == 'B' ? std::vector<ModalMember>{0, 1, 2, 3, 33, 34, 77, 78, 79}
+                                          : std::vector<ModalMember>{0, 1, 2, 3, 33, 34, 20, 21, 24};
+        if (group.role == Role::feed_mode) {
+            group.members = {94, 95};
+            group.customary = {94, 95};
+        }
+        if (group.role == Role::units && system == 'C') {
+            group.members = {70, 71};
+            group.customary = {70, 71};
+        }
+    }
+}
+
+} // namespace
+
+std::vector<ModalGroup> lathe_groups(char system) {
     // clang-format off
     //   name                       role                     letter restore         members                              customary     cancel reset source
     std::vector<ModalGroup> groups = {
@@ -100,6 +125,7 @@ std::vector<ModalGroup> lathe_groups() {
         unassigned("group 22"),
     };
     // clang-format on
+    if (system != 'A') change_to_system(system, groups);
     append_values(groups);
     relate(groups);
     return groups;
