@@ -5,7 +5,6 @@
 #include "rules/rule.hpp"
 
 namespace maclint::rules {
-
 namespace {
 void check(const ProgramAnalysis& analysis, Reporter& reporter);
 }
