@@ -192,5 +192,11 @@ TEST(SyntaxErrors, AWordOfAnotherLanguageHasOneCauseInNoiseAndElsewhere) {
     }
 }
 
+TEST(SyntaxErrors, TheEndOfFileMarkOfDosIsPassedOverAtTheEndAndToldInTheMiddle) {
+    for (const char* end : {"\x1A", "%\n\x1A", "%\r\n\x1A\x1A", "%\x1A", "\x1A\n\n"})
+        EXPECT_TRUE(test::read(std::string("O1\nG0X5.\nM30\n") + end).syntax_errors.empty()) << end;
+    EXPECT_EQ(test::read("O1\nG0X5.\n\x1A\nM30\n").syntax_errors.size(), 1U);
+}
+
 } // namespace
 } // namespace maclint
