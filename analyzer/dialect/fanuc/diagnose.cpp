@@ -7,6 +7,7 @@
 #include "analyzer/dialect/fanuc/kinds.hpp"
 #include "analyzer/dialect/fanuc/letter_o.hpp"
 #include "analyzer/dialect/fanuc/lexer.hpp"
+#include "analyzer/dialect/fanuc/remarks.hpp"
 #include "analyzer/dialect/fanuc/tables.hpp"
 #include "analyzer/dialect/numbers.hpp"
 
@@ -23,6 +24,11 @@ constexpr std::size_t longest_shown = 60;
 std::string shown(std::string_view text) {
     if (text.size() <= longest_shown) return std::string(text);
     return std::string(text.substr(0, longest_shown)) + "...";
+}
+
+/// `WH[` is WHILE: both letters are enough for the control.
+bool begins_condition(std::string_view word, const Token* next) {
+    return word == "WH" && next != nullptr && next->kind == TokenKind::open;
 }
 
 /// The tokens of a block and questions about them.
@@ -126,7 +132,8 @@ bool ErrorExplainer::lacks_value(const Token& token, const Token* next) const {
     const std::string word = capitals(token);
     const auto is_address = [](char c) { return c >= 'A' && c <= 'Z' && c != 'N' && c != 'O'; };
     return word.size() == 2 && word[1] != 'I' && std::ranges::all_of(word, is_address) && !is_keyword(word) &&
-           gives_value(next) && next->kind != TokenKind::letters && token.span.end == next->span.begin;
+           !begins_condition(word, next) && gives_value(next) && next->kind != TokenKind::letters &&
+           token.span.end == next->span.begin;
 }
 
 bool ErrorExplainer::gives_value(const Token* token) const {
@@ -236,6 +243,7 @@ bool ErrorExplainer::is_known(const Token& token, const Token* next, int depth) 
     if (word.size() == 1) return true;
     if (!split_keywords(word).empty()) return true;
     const std::string_view after_first = std::string_view(word).substr(1);
+    if (begins_condition(word, next)) return true;
     const bool value_follows = depth == 0 && gives_value(next);
     // An address before a function, a label after GOTO: XSIN[30], GOTON800.
     if (value_follows && (is_function(after_first) || word.ends_with("GOTON") || word.ends_with("GOTOO")))
@@ -283,7 +291,7 @@ bool ErrorExplainer::has_word(std::string_view keyword) const {
 }
 
 std::optional<SyntaxError> ErrorExplainer::symbolic_comparison() const {
-    if (!has_word("IF") && !has_word("WHILE")) return std::nullopt;
+    if (!has_word("IF") && !has_word("WHILE") && !has_word("WH")) return std::nullopt;
     for (const Token& token : code()) {
         if (token.kind != TokenKind::comparison) continue;
         const std::string_view sign = text(token);
@@ -418,7 +426,8 @@ bool ErrorExplainer::is_prose() const {
     });
 }
 
-/// Text after `//`, or after a `;` within the line, which ends a block here and begins a remark elsewhere.
+/// Text after `//`, after `#`, or after a `;` within the line, which ends a block here and begins a remark
+/// elsewhere.
 std::optional<SyntaxError> ErrorExplainer::bare_remark() const {
     std::size_t first = 0;
     if (tokens_.size() > 1 && capitals(tokens_[0]) == "N" && tokens_[1].kind == TokenKind::number) first = 2;
@@ -427,6 +436,8 @@ std::optional<SyntaxError> ErrorExplainer::bare_remark() const {
     Span sign{before, before};
     if (before > 0 && text_[before - 1] == ';')
         sign.begin = before - 1;
+    else if (begins_sharp_remark(text_, block_.begin))
+        sign = {block_.begin, block_.begin + 1};
     else if (first + 1 < tokens_.size() && text(tokens_[first]) == "/" && text(tokens_[first + 1]) == "/")
         sign = join(tokens_[first].span, tokens_[first + 1].span);
     if (sign.empty() || !is_prose()) return std::nullopt;
