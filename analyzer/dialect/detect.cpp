@@ -147,10 +147,10 @@ Detection judge(Content content, std::string_view text, const std::string& exten
 
 // Extensions that are worth opening, if only to say that the file is not linted. Files without one are when
 // they are named like a program: O9100.
-constexpr std::string_view extensions[] = {"nc",  "ncc", "ncf", "cnc", "tap", "ngc", "gcode", "gc",
-                                           "g",   "eia", "iso", "pim", "min", "fan", "nct",   "mac",
-                                           "prg", "pgm", "sub", "txt", "ncs", "mpf", "spf",   "h",
-                                           "din", "dnc", "anc", "hnc", "gcd", "ssb", "msb",   "ptp"};
+constexpr std::string_view extensions[] = {"nc",  "ncc", "ncf", "cnc", "tap", "ngc", "gcode", "gc",  "g",
+                                           "eia", "iso", "pim", "min", "fan", "nct", "mac",   "prg", "pgm",
+                                           "sub", "txt", "ncs", "mpf", "spf", "h",   "din",   "dnc", "anc",
+                                           "hnc", "gcd", "ssb", "msb", "ptp", "ncd"};
 
 /// O9100, and with words behind the number: O9010_TORUS.
 bool is_program_name(std::string_view name) {
@@ -186,6 +186,15 @@ Detection detect_dialect(const Source& source) {
     head.control = whole.control;
     head.control_reason = std::move(whole.control_reason);
     return head;
+}
+
+bool is_plainly_a_program(std::string_view beginning) {
+    const Detection detection = judge(classify(beginning), beginning, {}, Data::may_be);
+    if (detection.dialect == nullptr || is_empty(beginning)) return false;
+    if (detection.certain) return true;
+    constexpr std::size_t enough_blocks = 3;
+    const std::size_t first = beginning.find_first_not_of(std::string_view(" \t\r\n\0", 5));
+    return beginning[first] == '%' && survey(beginning, {}).lines.blocks() >= enough_blocks;
 }
 
 bool has_nc_extension(std::string_view path) {

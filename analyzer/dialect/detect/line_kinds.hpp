@@ -33,6 +33,7 @@ class LineCounts {
 
     /// Whether most of its lines can be read. One line that cannot must not look like a block at all.
     [[nodiscard]] bool is_program_text() const;
+    [[nodiscard]] std::size_t blocks() const { return of(LineKind::block); }
     /// "offsets": where it reads and holds nothing that a control would do, but at least two rows of data.
     [[nodiscard]] std::optional<std::string_view> data() const;
 
