@@ -79,7 +79,7 @@ std::variant<Source, Notice> open_file(const SnapshotFile& file) {
         return Notice{NoticeKind::unreadable, std::move(error->path), std::move(error->message)};
     auto& source = std::get<Source>(result);
     const auto& configuration = file.settings.configuration;
-    if (configuration && configuration->encoding && *configuration->encoding != source.encoding())
+    if (configuration && configuration->encoding && *configuration->encoding != source.stored_encoding())
         return source.read_as(*configuration->encoding);
     return std::move(source);
 }

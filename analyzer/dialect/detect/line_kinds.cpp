@@ -4,6 +4,7 @@
 #include "analyzer/dialect/detect/shapes.hpp"
 #include "analyzer/dialect/fanuc/keywords.hpp"
 #include "analyzer/dialect/fanuc/remarks.hpp"
+#include "analyzer/dialect/wide_signs.hpp"
 
 #include <algorithm>
 #include <iterator>
@@ -34,6 +35,12 @@ std::size_t after_number_at(std::string_view text, std::size_t at) {
     return end - sign > (has_point ? 1U : 0U) ? end : at;
 }
 
+/// After the word at `at`; a wide minus is no part of it: `Z–5`.
+std::size_t after_word(std::string_view code, std::size_t at) {
+    while (at < code.size() && is_word_byte(code[at]) && !wide_sign_at(code, at)) ++at;
+    return at;
+}
+
 /// Statements whose words are free text.
 bool holds_free_text(std::string_view code) {
     static constexpr std::string_view heads[] = {"DPRNT", "BPRNT", "POPEN", "PCLOS", "SETVN"};
@@ -44,12 +51,15 @@ bool holds_free_text(std::string_view code) {
 bool reads_as_text(std::string_view code) {
     if (holds_free_text(code)) return false;
     for (std::size_t at = 0; at < code.size();) {
+        if (const auto sign = wide_sign_at(code, at)) {
+            at += sign->length;
+            continue;
+        }
         if (is_word_byte(code[at])) {
-            const auto* const begin = code.begin() + static_cast<std::ptrdiff_t>(at);
-            const auto* const end = std::find_if_not(begin, code.end(), is_word_byte);
+            const std::size_t end = after_word(code, at);
             const bool is_name = at > 0 && (code[at - 1] == '#' || code[at - 1] == '<');
-            if (!is_name && fanuc::is_for_people({begin, end})) return true;
-            at = static_cast<std::size_t>(end - code.begin());
+            if (!is_name && fanuc::is_for_people(code.substr(at, end - at))) return true;
+            at = end;
             if (at < code.size() && code[at] == ',') return true;
             continue;
         }

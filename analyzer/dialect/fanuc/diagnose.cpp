@@ -10,6 +10,7 @@
 #include "analyzer/dialect/fanuc/remarks.hpp"
 #include "analyzer/dialect/fanuc/tables.hpp"
 #include "analyzer/dialect/numbers.hpp"
+#include "analyzer/dialect/wide_signs.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -56,6 +57,7 @@ class ErrorExplainer {
     [[nodiscard]] std::optional<SyntaxError> missing_address() const;
     [[nodiscard]] std::optional<SyntaxError> bare_remark() const;
     [[nodiscard]] std::optional<SyntaxError> remark() const;
+    [[nodiscard]] std::optional<SyntaxError> wide_sign() const;
 
   private:
     [[nodiscard]] const Token* at(std::size_t index) const {
@@ -475,6 +477,18 @@ std::optional<SyntaxError> ErrorExplainer::remark() const {
                 "( ) around a remark");
 }
 
+std::optional<SyntaxError> ErrorExplainer::wide_sign() const {
+    for (const Token& token : code()) {
+        const auto sign =
+            token.kind == TokenKind::other ? wide_sign_at(text_, token.span.begin) : std::nullopt;
+        if (!sign) continue;
+        const Span span{token.span.begin, token.span.begin + static_cast<Offset>(sign->length)};
+        return make(SyntaxErrorKind::wide_sign, span, text_.substr(span.begin, span.length()),
+                    std::string(1, sign->meant));
+    }
+    return std::nullopt;
+}
+
 /// The first node of the tree that stands for an error.
 const syntax::Node* first_error(const syntax::Tree& tree) {
     for (const syntax::Node& node : tree.nodes)
@@ -538,7 +552,7 @@ bool is_bare_remark(std::string_view text, Span block) {
 std::optional<SyntaxError> find_cause(std::string_view text, Span block) {
     const ErrorExplainer explainer(text, block);
     for (const auto cause :
-         {&ErrorExplainer::bare_remark, &ErrorExplainer::remark, &ErrorExplainer::parenthesis_as_bracket,
+         {&ErrorExplainer::bare_remark, &ErrorExplainer::remark, &ErrorExplainer::wide_sign, &ErrorExplainer::parenthesis_as_bracket,
           &ErrorExplainer::bracket_mismatch, &ErrorExplainer::letter_o, &ErrorExplainer::decimal_comma,
           &ErrorExplainer::sharp_without_number, &ErrorExplainer::unknown_keyword,
           &ErrorExplainer::symbolic_comparison, &ErrorExplainer::missing_value,
