@@ -192,7 +192,7 @@ bool is_plainly_a_program(std::string_view beginning) {
     const Detection detection = judge(classify(beginning), beginning, {}, Data::may_be);
     if (detection.dialect == nullptr || is_empty(beginning)) return false;
     if (detection.certain) return true;
-    constexpr std::size_t enough_blocks = 3;
+    constexpr std::size_t enough_blocks = 2;
     const std::size_t first = beginning.find_first_not_of(std::string_view(" \t\r\n\0", 5));
     return beginning[first] == '%' && survey(beginning, {}).lines.blocks() >= enough_blocks;
 }

@@ -171,7 +171,10 @@ int run_check(const CheckRequest& request) {
     if (request.show_config == ShowConfig::yes) {
         config = show_config(snapshot);
     } else if (request.show_files == ShowFiles::yes) {
-        return std::max(print_text(show_files(snapshot, inputs)), exit_of(notices));
+        ShownFiles files = show_files(snapshot, inputs);
+        std::ranges::move(files.notices, std::back_inserter(notices));
+        progress.reset();
+        return std::max(print_text(files.text), exit_of(notices));
     } else {
         auto opened = Gate::open(request, snapshot);
         if (const auto* refused = std::get_if<Notice>(&opened)) {

@@ -12,9 +12,12 @@
 namespace maclint::cli {
 namespace {
 
-std::string fate_of(const SnapshotFile& file, ProgramStore& store) {
+std::string fate_of(const SnapshotFile& file, ProgramStore& store, std::vector<Notice>& notices) {
     auto opened = open_file(file);
-    if (const auto* notice = std::get_if<Notice>(&opened)) return "cannot be read: " + notice->message;
+    if (auto* notice = std::get_if<Notice>(&opened)) {
+        notices.push_back(std::move(*notice));
+        return "cannot be read";
+    }
     const ReadFile read =
         read_source(file, std::make_shared<const Source>(std::get<Source>(std::move(opened))),
                     Extent::names_and_calls, store);
@@ -25,17 +28,17 @@ std::string fate_of(const SnapshotFile& file, ProgramStore& store) {
 
 } // namespace
 
-std::string show_files(const Snapshot& snapshot, const Discovered& inputs) {
+ShownFiles show_files(const Snapshot& snapshot, const Discovered& inputs) {
+    ShownFiles shown_files;
     std::vector<std::pair<std::string, std::string>> lines;
     ProgramStore store(0);
     for (const SnapshotFile& file : snapshot.files)
-        if (file.input.asked) lines.emplace_back(file.input.path, fate_of(file, store));
+        if (file.input.asked) lines.emplace_back(file.input.path, fate_of(file, store, shown_files.notices));
     for (const auto& [path, why] : inputs.files_passed_over)
         lines.emplace_back(path, "passed over: " + std::string(why));
     std::ranges::stable_sort(lines);
-    std::string text;
-    for (const auto& [path, fate] : lines) text += shown(path) + ": " + shown(fate) + "\n";
-    return text;
+    for (const auto& [path, fate] : lines) shown_files.text += shown(path) + ": " + shown(fate) + "\n";
+    return shown_files;
 }
 
 } // namespace maclint::cli
