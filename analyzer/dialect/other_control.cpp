@@ -29,6 +29,8 @@ constexpr std::size_t too_many = 10;
 constexpr std::size_t share = 5; ///< one block in so many
 constexpr std::size_t shown = 3;
 constexpr std::size_t enough_remarks = 4;
+/// How such a control formats what it writes into files: `G100 P221 (<FMT:.1F,#10>)`. Beside it two will do.
+constexpr std::string_view format_of_output = "<FMT:";
 
 /// Whether the text says nothing in the language: it is no word that is known elsewhere, no habit of writing
 /// and no remark.
@@ -74,13 +76,15 @@ std::optional<OtherControl> control_by_marks(const ProgramFile& file,
 }
 
 /// Where remarks after ';' are a habit, the control is one that has them.
-std::optional<OtherControl> control_with_remarks(const std::vector<const SyntaxError*>& remarks) {
-    const auto certain = std::ranges::count(remarks, SyntaxErrorKind::bare_remark,
-                                            [](const auto* error) { return error->kind; });
-    if (remarks.size() < enough_remarks || static_cast<std::size_t>(certain) < enough_marks)
+std::optional<OtherControl> control_with_remarks(std::string_view text,
+                                                 const std::vector<const SyntaxError*>& remarks) {
+    const auto certain = static_cast<std::size_t>(std::ranges::count(
+        remarks, SyntaxErrorKind::bare_remark, [](const auto* error) { return error->kind; }));
+    if (certain < enough_marks) return std::nullopt;
+    if (remarks.size() < enough_remarks && text.find(format_of_output) == std::string_view::npos)
         return std::nullopt;
     OtherControl found{.name = "a control that has remarks after ';'", .marks = {}};
-    for (std::size_t i = 0; i < shown; ++i)
+    for (std::size_t i = 0; i < std::min(shown, remarks.size()); ++i)
         found.marks.push_back({"'" + remarks[i]->subject + "'", remarks[i]->span});
     return found;
 }
@@ -115,7 +119,7 @@ std::optional<OtherControl> find_other_control(const ProgramFile& file) {
     if (code.size() + remarks.size() < enough_marks) return std::nullopt;
     const Readable readable = count_readable(file);
     std::optional<OtherControl> found = control_by_marks(file, code);
-    if (!found) found = control_with_remarks(remarks);
+    if (!found) found = control_with_remarks(text, remarks);
     if (!found && senseless.size() >= too_many && senseless.size() * share > readable.blocks) {
         found.emplace();
         for (std::size_t i = 0; i < shown; ++i)

@@ -108,6 +108,9 @@ TEST(OtherControl, TheHabitOfRemarksAfterSemicolonsIsOne) {
         "O1\n; measure the bore\n#1=5 ; depth\nG65P2A#1 ; call it\n; done\nGOTO7\nM30\n";
     EXPECT_THAT(test::codes(test::lint_text(remarks)), ElementsAre("MAC005"));
     EXPECT_THAT(only_message(remarks), AllOf(HasSubstr("remarks after ';'"), HasSubstr("in line 2")));
+    EXPECT_THAT(
+        test::codes(test::lint_text("O1\n; measure the bore\nG0X1. ; depth\nG100P2(<FMT:.1F,#10>)\nM30\n")),
+        ElementsAre("MAC005"));
     // Three are none, and what stands in brackets after ';' is for any control.
     EXPECT_THAT(test::codes(test::lint_text("O1\n; measure the bore\nG0X1. ; depth\n; ready\nM30\n")),
                 ElementsAre("MAC121"));

@@ -37,7 +37,8 @@ TEST(OtherTexts, TablesLogsListsOfCodesAndLettersAreNoPrograms) {
           "#101 = width of the pocket\n#102 = depth of the pocket\n",
           "010 IMPROPER G-CODE\n011 NO FEEDRATE COMMANDED\n", "O0077 (COVER)   1320\nO0078 (BASE)    640\n",
           "Hi Tom,\nplease set N40 in O77 to\nG01 Z-3. F80\nthanks\n", "[SERIAL]\nPort=COM2\nBaud=4800\n",
-          "DIA 12.004\nX 10.001 Y 20.002\nX 10.002 Y 20.001\n",
+          "DIA 12.004\nX 10.001 Y 20.002\nX 10.002 Y 20.001\n", "D1=10.5\nD2=8.25\n",
+          "X = 10.01\nY = 20.02\nZ = -5.\n", "G0 X1<br>\nG1 X2<br>\n",
           "--| |----( )--\n  X0001.0 Y0080.0\n--|/|----( )--\n",
           "ROHTEIL\nD80 L200 42CrMo4\nFERTIGTEIL\nFlansch nach Zeichnung\nMenge zwanzig\n",
           "[Result]\n(none)\n"})
@@ -93,6 +94,9 @@ TEST(OtherControls, AreToldByWhatNoOtherWrites) {
     EXPECT_EQ(reported_of("G0 X5\nG291\nM30\n", "a.mpf"), "SINUMERIK");
     EXPECT_EQ(reported_of("%PIN,MX,\n(P1=5)\nG0 X5\nM30\n"), "FAGOR");
     EXPECT_EQ(reported_of("(P1=5)\nG0 X5\n(IF P1 EQ 0 GOTO N100)\n(CALL 12)\nM30\n"), "FAGOR");
+    EXPECT_EQ(reported_of("N10 P1=K5\nN20 G0 X5\nN30 P2=P1\n"), "FAGOR");
+    EXPECT_EQ(reported_of(":G70 G90\n:20 T5 M6\nG0 X5 Y6\n"), "Acramatic");
+    EXPECT_EQ(reported_of("UNO MAT INITIAL-Z\n 0 S45C 50\nUNO UNIT DEPTH\n"), "MAZATROL");
     EXPECT_EQ(reported_of("(ID,PROG,PIN)\n:10 G0 X5 Y6\nM2\n"), "Acramatic");
     EXPECT_EQ(reported_of("UNo. MAT.  INITIAL-Z ATC MODE\n 0   S45C   50.      0\n"), "MAZATROL");
 }

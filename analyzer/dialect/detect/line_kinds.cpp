@@ -47,9 +47,26 @@ bool holds_free_text(std::string_view code) {
     return starts_with_any(code, heads);
 }
 
+/// `H1=120.5`, `X = 10.01`: a row of a table of offsets or of what was measured.
+bool is_named_value(std::string_view code) {
+    if (code.empty() || !is_capital(code.front())) return false;
+    const std::size_t sign = after_blanks(code, after_digits(code, 1));
+    return sign < code.size() && code[sign] == '=';
+}
+
+/// `T1 M6<BR>`, `</TD>`
+bool holds_tag(std::string_view code) {
+    for (std::size_t at = code.find('<'); at != std::string_view::npos; at = code.find('<', at + 1)) {
+        const std::string_view tag = code.substr(at + 1);
+        if (tag.starts_with('/') || tag.starts_with("BR>") || tag.starts_with("BR ")) return true;
+    }
+    return false;
+}
+
 /// A word for people, a number behind a number, or a letter before a comma, as rows of tables have them.
 bool reads_as_text(std::string_view code) {
     if (holds_free_text(code)) return false;
+    if (is_named_value(code) || holds_tag(code)) return true;
     for (std::size_t at = 0; at < code.size();) {
         if (const auto sign = wide_sign_at(code, at)) {
             at += sign->length;
@@ -128,7 +145,7 @@ bool sets_offset(const Line& line) {
 /// `N0012A1P00000000A2P00000000`
 bool sets_parameter(const Line& line) {
     constexpr std::string_view letters = "PQLATSKD";
-    return line.is_plain() && line.whole().starts_with('N') && line.word('P') != nullptr &&
+    return line.whole().starts_with('N') && line.word('P') != nullptr &&
            std::ranges::all_of(line.words(), [&](const Word& word) {
                return letters.find(word.letter) != std::string_view::npos;
            });
@@ -148,16 +165,22 @@ bool is_position(const Line& line) {
     });
 }
 
+LineKind kind_of_words(const Line& line) {
+    const char first = line.words().front().letter;
+    if (first == 'G' || first == 'M') {
+        if (goes_with_data(line)) return LineKind::nothing;
+        return sets_offset(line) ? LineKind::offset : LineKind::block;
+    }
+    if (sets_parameter(line)) return LineKind::parameter;
+    return is_position(line) ? LineKind::nothing : LineKind::block;
+}
+
 } // namespace
 
 LineKind kind_of(const Line& line) {
     const std::string_view whole = line.whole();
     constexpr std::string_view nothing = "%(;/";
-    if (line.is_plain() && !line.words().empty()) {
-        if (goes_with_data(line) || is_position(line)) return LineKind::nothing;
-        if (sets_offset(line)) return LineKind::offset;
-        return sets_parameter(line) ? LineKind::parameter : LineKind::block;
-    }
+    if (line.is_plain() && !line.words().empty()) return kind_of_words(line);
     if (sets_variable(line)) return LineKind::variable;
     if (sets_offset(line)) return LineKind::offset;
     if (nothing.find(whole.front()) != std::string_view::npos &&
@@ -168,6 +191,9 @@ LineKind kind_of(const Line& line) {
 }
 
 void LineCounts::add(const Line& line) {
+    constexpr std::size_t plenty = 64;
+    if (of(LineKind::block) >= plenty && of(LineKind::other) * 2 < of(LineKind::block))
+        return; // it is decided
     const LineKind kind = kind_of(line);
     ++counts_[static_cast<std::size_t>(kind)];
     if (kind == LineKind::other && !looks_like_block(line.whole())) ++unlike_blocks_;

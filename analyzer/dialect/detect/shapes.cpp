@@ -205,7 +205,7 @@ bool alignment_block(const Line& line) {
     const std::size_t number = whole.starts_with(':') ? skip_digits(whole, 1) : 0;
     const std::size_t code = skip_blanks(whole, number);
     constexpr std::string_view letters = "GTMXYZ";
-    return number > 1 && code + 1 < whole.size() && letters.find(whole[code]) != std::string_view::npos &&
+    return number > 0 && code + 1 < whole.size() && letters.find(whole[code]) != std::string_view::npos &&
            is_digit(whole[code + 1]);
 }
 
@@ -219,10 +219,19 @@ bool fagor_head(const Line& line) {
     return !rights.empty() && rights.size() < 6 && rights.find_first_not_of("MX- ") == std::string_view::npos;
 }
 
+bool fagor_register(const Line& line) {
+    const std::string_view code = line.code();
+    const std::size_t sign = code.starts_with('P') ? skip_digits(code, 1) : 0;
+    return sign > 1 && sign + 2 < code.size() && code[sign] == '=' &&
+           (code[sign + 1] == 'K' || code[sign + 1] == 'P') && is_digit(code[sign + 2]);
+}
+
 bool fagor_statement(const Line& line) {
     static constexpr std::string_view heads[] = {"CALL ", "PCALL ", "MCALL ", "SUB ",   "ERROR ", "GOTO N",
                                                  "IF P",  "IF (P",  "RPT N",  "MSG \"", "MEXEC "};
     const std::string_view text = line.comment();
+    constexpr std::string_view beginnings = "CPMSEGIR";
+    if (text.empty() || beginnings.find(text.front()) == std::string_view::npos) return false;
     if (text == "RET") return true;
     const auto* const head =
         std::ranges::find_if(heads, [&](std::string_view h) { return text.starts_with(h); });

@@ -44,9 +44,10 @@ bool path_wait(const Line& line);       ///< `!L1`, `!2L1`
 bool assigns_l(const Line& line);       ///< `L1=197`, TRAUB
 bool value_of_l(const Line& line);      ///< `G59X0ZL1`, `Z-[L2+1.35]`, TRAUB
 bool open_directive(const Line& line);  ///< `[BILLET X60 Z70`, Denford
-bool alignment_block(const Line& line); ///< `:10 G0 X5`, Acramatic
+bool alignment_block(const Line& line); ///< `:10 G0 X5`, `:G70`, Acramatic
 bool fadal_variable(const Line& line);  ///< `#V1=`, `#R2`
 bool fagor_head(const Line& line);      ///< `%SHAFT,MX,`
+bool fagor_register(const Line& line);  ///< `P1=K5`, older FAGOR
 bool fagor_statement(const Line& line); ///< `(IF P1 EQ 0 GOTO N100)`, `(CALL 12)`
 bool fagor_parameter(const Line& line); ///< `(P100=P101+5)`
 

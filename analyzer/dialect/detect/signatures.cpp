@@ -213,6 +213,7 @@ constexpr Signature signatures[] = {
 
     {fagor,          6, 1, In::line,    "%",          fagor_head,            "a head like %NAME,MX,"},
     {fagor,          2, 3, In::comment, "",           fagor_statement,       "a statement in round brackets"},
+    {fagor,          3, 2, In::code,    "",           fagor_register,        "a parameter like P1=K5"},
     {fagor,          1, 3, In::comment, "",           fagor_parameter,       "a parameter like (P1=5)"},
 
     // Denford [T: directives of its simulator]
@@ -247,6 +248,8 @@ constexpr Signature signatures[] = {
     {mazatrol,       4, 1, In::inside,  "MAZATROL",   nullptr,               ""},
     {mazatrol,       2, 3, In::head,    "UNO.",       nullptr,               ""},
     {mazatrol,       2, 3, In::head,    "SNO.",       nullptr,               ""},
+    {mazatrol,       2, 3, In::head,    "UNO ",       nullptr,               ""},
+    {mazatrol,       2, 3, In::head,    "SNO ",       nullptr,               ""},
     {mazatrol,       2, 2, In::head,    "FIG PTN",    nullptr,               ""},
 
     {hobby,          2, 2, In::remark,  "",           remark,                "remarks after ';'"},
@@ -298,6 +301,7 @@ constexpr Needed needed[] = {
     {tool_in_hundreds, "T0"},
     {language_switch, "G29"},
     {fagor_parameter, "P="},
+    {fagor_register, "P="},
     {words_in_round_brackets, "("},
 };
 

@@ -71,9 +71,9 @@ bool shows_own_call(std::string_view text, std::int64_t number) {
 
 bool begins_sharp_remark(std::string_view text, std::size_t at) {
     if (at + 1 >= text.size() || text[at] != '#') return false;
+    if (!is_blank(text[at + 1]) && !is_letter(text[at + 1])) return false;
     std::string_view rest = text.substr(at + 1, longest_remark);
     rest = rest.substr(0, rest.find_first_of("\r\n"));
-    if (rest.empty() || !(is_blank(rest.front()) || is_letter(rest.front()))) return false;
     const bool has_sign = rest.find_first_of("=[]#") != std::string_view::npos;
     const std::size_t words = words_for_people(rest);
     return is_blank(rest.front()) ? words >= (has_sign ? 2U : 1U) : words >= 2 && !has_sign;
