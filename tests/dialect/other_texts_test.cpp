@@ -81,6 +81,8 @@ TEST(OtherTexts, AProgramWithRemarksThatNobodyBracketedStaysOne) {
     EXPECT_EQ(reported_of("O12\nCOVER PLATE\nMADE BY TOM\nG0 X5.\nG1 Z-1. F100\nM30\n"), "fanuc");
     EXPECT_EQ(reported_of("G0 X5.\nG1 X 10 FEED 100\n"), "fanuc");
     EXPECT_EQ(reported_of("# cover plate\nG0 X5.\n# the hole\nG1 Z-1. F100\nM30\n"), "fanuc");
+    EXPECT_EQ(reported_of("G0 X5. # move to the left\nG1 Z-1. F100 # down slowly\n"), "fanuc");
+    EXPECT_EQ(reported_of("O12\nG0 X5. // move to the left\nG1 Z-1. F100 // down slowly\n"), "fanuc");
     EXPECT_EQ(reported_of("G1 X 10 FEED 100\n"), "fanuc"); // one line that begins like a block
 }
 

@@ -68,6 +68,7 @@ bool reads_as_text(std::string_view code) {
     if (holds_free_text(code)) return false;
     if (is_named_value(code) || holds_tag(code)) return true;
     for (std::size_t at = 0; at < code.size();) {
+        if (code.substr(at).starts_with("//") || fanuc::begins_sharp_remark(code, at)) return false;
         if (const auto sign = wide_sign_at(code, at)) {
             at += sign->length;
             continue;
@@ -186,7 +187,7 @@ LineKind kind_of(const Line& line) {
     if (nothing.find(whole.front()) != std::string_view::npos &&
         (whole.front() == '%' || line.code().empty()))
         return LineKind::nothing;
-    if (fanuc::begins_sharp_remark(whole, 0)) return LineKind::nothing;
+    if (whole.starts_with("//") || fanuc::begins_sharp_remark(whole, 0)) return LineKind::nothing;
     return is_row_or_rule(line) || reads_as_text(line.code()) ? LineKind::other : LineKind::block;
 }
 

@@ -19,6 +19,7 @@ constexpr std::size_t longest_head = 4000;
 
 /// Bytes of a remark that are looked at.
 constexpr std::size_t longest_remark = 256;
+constexpr std::size_t longest_head_of_remark = 80;
 
 /// Whether `P` and the number come next, blanks between them left out.
 bool names_program(std::string_view text, std::int64_t number) {
@@ -44,9 +45,10 @@ bool calls(std::string_view remark, std::int64_t number) {
     return false;
 }
 
+constexpr bool is_word_byte(char c) { return is_letter(c) || static_cast<unsigned char>(c) > 0x7F; }
+
 std::size_t words_for_people(std::string_view text) {
     const std::string capitals = in_capitals(text);
-    const auto is_word_byte = [](char c) { return is_letter(c) || static_cast<unsigned char>(c) > 0x7F; };
     std::size_t words = 0;
     for (auto begin = capitals.begin(); begin != capitals.end();) {
         begin = std::find_if(begin, capitals.end(), is_word_byte);
@@ -72,8 +74,10 @@ bool shows_own_call(std::string_view text, std::int64_t number) {
 bool begins_sharp_remark(std::string_view text, std::size_t at) {
     if (at + 1 >= text.size() || text[at] != '#') return false;
     if (!is_blank(text[at + 1]) && !is_letter(text[at + 1])) return false;
-    std::string_view rest = text.substr(at + 1, longest_remark);
+    std::string_view rest = text.substr(at + 1, longest_head_of_remark);
     rest = rest.substr(0, rest.find_first_of("\r\n"));
+    const auto* const first = std::ranges::find_if_not(rest, is_blank);
+    if (first == rest.end() || !is_word_byte(*first)) return false;
     const bool has_sign = rest.find_first_of("=[]#") != std::string_view::npos;
     const std::size_t words = words_for_people(rest);
     return is_blank(rest.front()) ? words >= (has_sign ? 2U : 1U) : words >= 2 && !has_sign;

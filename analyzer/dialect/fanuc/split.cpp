@@ -129,6 +129,9 @@ bool holds_blocks(std::string_view text) {
     return false;
 }
 
+/// Nobody writes a remark behind more than that.
+constexpr Offset longest_line_of_people = 1024;
+
 bool is_in_remark(std::string_view text, const RawBlock& block, Offset at) {
     return text[at] == ';' && !block.comments.empty() &&
            is_in_nested_remark(text, block.comments.back().begin, at);
@@ -166,7 +169,8 @@ void cut_block(std::string_view text, Offset begin, Reading program_behind_end, 
             block.next = span.end;
             return;
         }
-        if (token->kind == Token::Kind::sharp && begins_sharp_remark(text, span.begin)) {
+        if (token->kind == Token::Kind::sharp && block.code < longest_line_of_people &&
+            begins_sharp_remark(text, span.begin)) {
             block.next = span.begin;
             if (span.begin == first) take_line(text, block);
             return;
