@@ -24,12 +24,14 @@ struct Sink {
 
 enum class ColourChoice : std::uint8_t { automatic, always, never };
 enum class ShowConfig : std::uint8_t { no, yes };
+enum class ShowFiles : std::uint8_t { no, yes };
 
 struct CheckRequest {
     std::vector<std::string> paths;
     std::vector<Sink> sinks;
     Overrides overrides;
     ShowConfig show_config = ShowConfig::no;
+    ShowFiles show_files = ShowFiles::no;
     std::string stdin_name;
     unsigned jobs = 1;
     std::optional<Severity> fail_on;         ///< nothing: never

@@ -19,8 +19,10 @@ enum class NoticeKind : std::uint8_t {
 /// Text is UTF-8 and may hold anything: reports escape it.
 struct Notice {
     NoticeKind kind;
-    std::string path;    ///< of the file concerned; may be empty
-    std::string message; ///< "what. Cure."
+    std::string path;      ///< of the file concerned; may be empty
+    std::string message;   ///< "what. Cure."
+    std::string what = {}; ///< of a file that is not linted: "SINUMERIK"; those of one kind share a note
+    bool named = false;    ///< the user named the file
 
     /// Errors end the run with status 2, notes do not.
     [[nodiscard]] bool is_error() const {

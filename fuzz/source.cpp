@@ -39,7 +39,12 @@ int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     const Source source = Source::from_bytes("O1.nc", std::string(fuzz::text_of(data, size)));
     check(source);
     check(source.read_as(Encoding::utf8));
-    check(source.read_as(Encoding::windows_1252));
+    for (const Encoding encoding : {Encoding::windows_1252, Encoding::shift_jis, Encoding::gbk}) {
+        const Source other = source.read_as(encoding);
+        check(other);
+        fuzz::require(other.stored_bytes() == source.stored_bytes(), "what is stored stays so");
+        fuzz::require(other.line_count() == source.line_count(), "the lines are the same in any encoding");
+    }
     static_cast<void>(classify(source.bytes()));
     fuzz::require_harmless(printable(source.to_utf8(detect_dialect(source).reason)), "the dialect's reason");
     return 0;

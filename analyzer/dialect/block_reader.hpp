@@ -6,6 +6,7 @@
 #include "analyzer/dialect/error_throttle.hpp"
 #include "analyzer/dialect/raw_block.hpp"
 #include "analyzer/program/model.hpp"
+#include "analyzer/source/content.hpp"
 #include "analyzer/source/line_index.hpp"
 #include "analyzer/source/platform/kept_by_thread.hpp"
 #include "analyzer/syntax/parse_cache.hpp"
@@ -68,7 +69,7 @@ template<BlockDialect Dialect>
 class BlockReader {
   public:
     BlockReader(std::shared_ptr<const Source> source, const ControlModel& control, Extent extent)
-        : text_(source->bytes())
+        : text_(without_end_of_file(source->bytes()))
         , extent_(extent)
         , dialect_(*source, control, file_) {
         file_.source = std::move(source);

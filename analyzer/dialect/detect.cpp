@@ -5,6 +5,7 @@
 #include "analyzer/dialect/detect/control_marks.hpp"
 #include "analyzer/dialect/detect/first_program.hpp"
 #include "analyzer/dialect/detect/line.hpp"
+#include "analyzer/dialect/detect/line_kinds.hpp"
 #include "analyzer/dialect/detect/other_text.hpp"
 #include "analyzer/dialect/detect/signatures.hpp"
 #include "analyzer/dialect/dialect.hpp"
@@ -56,11 +57,12 @@ bool has_nct_form(std::string_view code) {
 struct Survey {
     Evidence evidence;
     detect::ControlEvidence controls = {};
+    detect::LineCounts lines = {};
     std::size_t filled = 0, blocks = 0; ///< lines
     bool nct_head = false;
     std::size_t nct_line = 0; ///< after such a head, with the first form of NCT, or 0
 
-    [[nodiscard]] bool is_nc_text() const { return blocks * 3 >= filled; }
+    [[nodiscard]] bool is_nc_text() const { return blocks * 3 >= filled && lines.is_program_text(); }
 };
 
 Survey survey(std::string_view text, std::string_view extension) {
@@ -76,6 +78,7 @@ Survey survey(std::string_view text, std::string_view extension) {
             result.blocks += detect::looks_like_block(line.whole()) ? 1U : 0U;
             result.evidence.add(line, number);
             result.controls.add(line, number);
+            result.lines.add(line);
             if (result.nct_head && result.nct_line == 0 && has_nct_form(line.code()))
                 result.nct_line = number;
         }
@@ -96,7 +99,19 @@ std::string kind_in_brackets(std::string_view bytes) {
     return kind ? " (" + std::string(*kind) + ")" : std::string();
 }
 
-Detection judge(Content content, std::string_view text, const std::string& extension) {
+/// Whether rows of data make a file one of data.
+enum class Data : std::uint8_t { may_be, is_none };
+
+/// Programs begin after the data of a memory dump at times.
+bool holds_program_number(std::string_view text) {
+    for (std::size_t at = text.find("\nO"); at != std::string_view::npos; at = text.find("\nO", at + 1))
+        if (at + 2 < text.size() && is_digit(text[at + 2])) return true;
+    return false;
+}
+
+constexpr std::string_view data_head = "data, no program";
+
+Detection judge(Content content, std::string_view text, const std::string& extension, Data data) {
     const Dialect* fanuc = find_dialect("fanuc");
     switch (content) {
     case Content::empty: text = {}; break; // the extension may tell
@@ -111,6 +126,11 @@ Detection judge(Content content, std::string_view text, const std::string& exten
     const bool certain = found.evidence.points(language) >= detect::enough;
     const bool shared_marks = language == Language::fanuc || language == Language::hobby;
     if (shared_marks && !found.is_nc_text())
+        return {nullptr, "text of another kind (few lines look like blocks)", true, true};
+    if (language == Language::fanuc && data == Data::may_be)
+        if (const auto kind = found.lines.data())
+            return {nullptr, std::string(data_head).append(" (").append(*kind).append(")"), false, true};
+    if (language == Language::din_plus && !detect::reads_as_din_plus(text))
         return {nullptr, "text of another kind (few lines look like blocks)", true, true};
     if (language == Language::din_plus)
         return {find_dialect("dinplus"), found.evidence.reason(language), false, certain};
@@ -127,10 +147,10 @@ Detection judge(Content content, std::string_view text, const std::string& exten
 
 // Extensions that are worth opening, if only to say that the file is not linted. Files without one are when
 // they are named like a program: O9100.
-constexpr std::string_view extensions[] = {"nc",  "ncc", "ncf", "cnc", "tap", "ngc", "gcode", "gc",
-                                           "g",   "eia", "iso", "pim", "min", "fan", "nct",   "mac",
-                                           "prg", "pgm", "sub", "txt", "ncs", "mpf", "spf",   "h",
-                                           "din", "dnc", "anc", "hnc", "gcd", "ssb", "msb",   "ptp"};
+constexpr std::string_view extensions[] = {"nc",  "ncc", "ncf", "cnc", "tap", "ngc", "gcode", "gc",  "g",
+                                           "eia", "iso", "pim", "min", "fan", "nct", "mac",   "prg", "pgm",
+                                           "sub", "txt", "ncs", "mpf", "spf", "h",   "din",   "dnc", "anc",
+                                           "hnc", "gcd", "ssb", "msb", "ptp", "ncd"};
 
 /// O9100, and with words behind the number: O9010_TORUS.
 bool is_program_name(std::string_view name) {
@@ -152,17 +172,29 @@ Detection detect_dialect(const Source& source) {
     const std::string extension = extension_of(source.path());
     const std::string_view bytes = source.bytes();
     const std::string_view text = bytes.substr(byte_order_mark_length(bytes), looked_at);
-    Detection whole = judge(classify(bytes), text, extension);
+    Detection whole = judge(classify(bytes), text, extension, Data::may_be);
+    if (whole.reason.starts_with(data_head) &&
+        (is_program_name(file_name_of(source.path())) || holds_program_number(bytes.substr(text.size()))))
+        whole = judge(classify(bytes), text, extension, Data::is_none);
     if (whole.certain && whole.dialect != nullptr) return whole;
     // What line noise after a good program looks like is chance.
     const std::string_view first = detect::first_program(text);
     if (first.empty() || first.size() == text.size()) return whole;
-    Detection head = judge(Content::text, first, extension);
+    Detection head = judge(Content::text, first, extension, Data::is_none);
     if (head.dialect == nullptr) return whole;
     head.certain = true;
     head.control = whole.control;
     head.control_reason = std::move(whole.control_reason);
     return head;
+}
+
+bool is_plainly_a_program(std::string_view beginning) {
+    const Detection detection = judge(classify(beginning), beginning, {}, Data::may_be);
+    if (detection.dialect == nullptr || is_empty(beginning)) return false;
+    if (detection.certain) return true;
+    constexpr std::size_t enough_blocks = 2;
+    const std::size_t first = beginning.find_first_not_of(std::string_view(" \t\r\n\0", 5));
+    return beginning[first] == '%' && survey(beginning, {}).lines.blocks() >= enough_blocks;
 }
 
 bool has_nc_extension(std::string_view path) {

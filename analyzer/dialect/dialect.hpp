@@ -49,6 +49,10 @@ struct Detection {
 };
 [[nodiscard]] Detection detect_dialect(const Source& source);
 
+/// Whether the beginning of a text that has no name to go by is plainly that of a program of ours: it bears
+/// marks of a dialect, or blocks follow a tape mark.
+[[nodiscard]] bool is_plainly_a_program(std::string_view beginning);
+
 /// Whether a file with this name is worth opening when a folder is searched.
 [[nodiscard]] bool has_nc_extension(std::string_view path);
 /// Whether it is news that a file of a searched folder is no NC text; it is none of a README.txt, of a

@@ -22,8 +22,9 @@ struct OtherControl {
     std::size_t unreadable = 0, blocks = 0;
 };
 
-/// Two different marks of one control in what could not be read, or more than a fifth of the blocks without
-/// any sense, and too many of them to be mistakes of typing. Nothing for all other files.
+/// Two different marks of one control in what could not be read, the habit of remarks after ';', or more than
+/// a fifth of the blocks without any sense, and too many of them to be mistakes of typing. Nothing for all
+/// other files.
 [[nodiscard]] std::optional<OtherControl> find_other_control(const ProgramFile& file);
 
 } // namespace maclint

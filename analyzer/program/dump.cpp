@@ -166,6 +166,7 @@ std::string_view name_of(SyntaxErrorKind syntax_error) {
                                                  "comparison-as-value",
                                                  "sign-after-sign",
                                                  "condition-before-return",
+                                                 "wide-sign",
                                                  "unreadable"};
     static_assert(std::size(names) == static_cast<std::size_t>(SyntaxErrorKind::unreadable) + 1);
     return names[static_cast<std::size_t>(syntax_error)];

@@ -52,6 +52,7 @@ enum class SyntaxErrorKind : std::uint8_t {
     comparison_as_value,         ///< `#1=#2 EQ 5`; subject: the comparison
     sign_after_sign,             ///< `#2--#3`; cure: with brackets
     condition_before_return,     ///< `[#1 LT 5] M99 P10`
+    wide_sign,                   ///< subject: a character that looks like a sign; cure: the sign
     unreadable,                  ///< nothing more exact is known; cure: what was expected
 };
 

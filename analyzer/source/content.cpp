@@ -66,4 +66,10 @@ bool is_empty(std::string_view bytes) {
     return sample.size() < sample_size && is_blank(sample);
 }
 
+std::string_view without_end_of_file(std::string_view bytes) {
+    constexpr std::string_view filling(" \t\r\n\0\x1A", 6);
+    const std::size_t tail = bytes.find_last_not_of(filling) + 1; // npos + 1 is 0
+    return bytes.substr(0, bytes.find('\x1A', tail));
+}
+
 } // namespace maclint

@@ -19,4 +19,8 @@ enum class Content : std::uint8_t {
 /// Whether the bytes are Content::empty.
 [[nodiscard]] bool is_empty(std::string_view bytes);
 
+/// The bytes without the end-of-file marks (SUB, 1A) of CP/M and DOS at their end, alone or many, and the
+/// blank lines and NULs that fill up a block of a disk after them. A mark with text after it stays.
+[[nodiscard]] std::string_view without_end_of_file(std::string_view bytes);
+
 } // namespace maclint

@@ -1,6 +1,8 @@
 //! Character encodings: a strict UTF-8 decoder, the Windows-1252 table and the escapes of `printable`.
 #include "analyzer/source/encoding.hpp"
 
+#include "analyzer/source/double_byte.hpp"
+
 #include <algorithm>
 #include <array>
 #include <cstring>
@@ -163,6 +165,16 @@ void for_each_character(std::string_view bytes, const Visitor& visit) {
 
 } // namespace
 
+std::string_view name_of(Encoding encoding) {
+    constexpr std::array<std::string_view, 4> names = {"utf-8", "windows-1252", "shift-jis", "gbk"};
+    return names.at(static_cast<std::size_t>(encoding));
+}
+
+std::string_view registered_name_of(Encoding encoding) {
+    constexpr std::array<std::string_view, 4> names = {"UTF-8", "windows-1252", "Shift_JIS", "GBK"};
+    return names.at(static_cast<std::size_t>(encoding));
+}
+
 Encoding detect_encoding(std::string_view bytes) {
     while (true) {
         bytes.remove_prefix(ascii_prefix(bytes));
@@ -183,6 +195,18 @@ std::string to_utf8(std::string_view bytes, Encoding encoding) {
     out.reserve(bytes.size() + bytes.size() / 4);
     if (encoding == Encoding::windows_1252) {
         for (const char c : bytes) append_utf8(out, decode_windows_1252(c));
+        return out;
+    }
+    if (encoding == Encoding::shift_jis || encoding == Encoding::gbk) {
+        while (!bytes.empty()) {
+            const std::size_t plain = ascii_prefix(bytes);
+            out += bytes.substr(0, plain);
+            bytes.remove_prefix(plain);
+            if (bytes.empty()) break;
+            const Character next = double_byte_character(bytes, encoding);
+            append_utf8(out, next.value);
+            bytes.remove_prefix(next.length);
+        }
         return out;
     }
     for_each_character(bytes, [&out](std::string_view sequence, char32_t character) {

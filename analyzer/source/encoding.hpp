@@ -8,7 +8,12 @@
 
 namespace maclint {
 
-enum class Encoding : std::uint8_t { utf8, windows_1252 };
+enum class Encoding : std::uint8_t { utf8, windows_1252, shift_jis, gbk };
+
+/// As in a configuration: "utf-8", "shift-jis".
+[[nodiscard]] std::string_view name_of(Encoding encoding);
+/// As registered with IANA: "UTF-8", "Shift_JIS".
+[[nodiscard]] std::string_view registered_name_of(Encoding encoding);
 
 /// UTF-8 when every byte fits it, otherwise Windows-1252, in which every byte means something.
 [[nodiscard]] Encoding detect_encoding(std::string_view bytes);
@@ -16,7 +21,7 @@ enum class Encoding : std::uint8_t { utf8, windows_1252 };
 /// Length in bytes of the UTF-8 byte order mark that `bytes` begins with: 3 or 0.
 [[nodiscard]] std::size_t byte_order_mark_length(std::string_view bytes);
 
-/// The text as valid UTF-8, whatever the bytes are: a UTF-8 sequence cut or broken becomes U+FFFD.
+/// The text as valid UTF-8, whatever the bytes are: a sequence cut or broken becomes U+FFFD.
 [[nodiscard]] std::string to_utf8(std::string_view bytes, Encoding encoding);
 
 /// A character and the bytes that it takes.
@@ -28,7 +33,7 @@ struct Character {
 [[nodiscard]] Character first_character(std::string_view utf8);
 
 /// Length of the text in UTF-16 code units, the unit of columns in SARIF and LSP.
-/// `bytes` begins and ends between characters.
+/// `bytes`, in UTF-8 or Windows-1252, begins and ends between characters.
 [[nodiscard]] std::size_t utf16_length(std::string_view bytes, Encoding encoding);
 
 /// The nearest offset at or before `offset` where a character begins.

@@ -1,6 +1,7 @@
 //! Source: bytes that stay in place, and a line index built when the first position is asked for.
 #include "analyzer/source/source.hpp"
 
+#include "analyzer/source/double_byte.hpp"
 #include "analyzer/source/made_once.hpp"
 
 #include <cassert>
@@ -10,19 +11,43 @@
 
 namespace maclint {
 
+namespace {
+
+Encoding encoding_of(std::string_view bytes) {
+    const Encoding encoding = detect_encoding(bytes);
+    return encoding == Encoding::utf8 ? encoding : detect_double_byte(bytes).value_or(encoding);
+}
+
+/// A character takes at most three bytes of UTF-8 for each of its own, and all have to be counted.
+bool is_converted(Encoding encoding, std::size_t size) {
+    constexpr std::size_t growth = 3;
+    return (encoding == Encoding::shift_jis || encoding == Encoding::gbk) &&
+           size < std::numeric_limits<Offset>::max() / growth;
+}
+
+} // namespace
+
+/// Text of characters of one or two bytes is turned into UTF-8 at once: the second byte of a character is no
+/// bracket to anybody then.
 struct Source::Contents {
     Contents(std::string given_path, std::string given_bytes, std::optional<Encoding> given_encoding)
         : path(std::move(given_path))
-        , bytes(std::move(given_bytes))
-        , encoding(given_encoding ? *given_encoding : detect_encoding(bytes)) {}
+        , stored_encoding(given_encoding ? *given_encoding : encoding_of(given_bytes))
+        , converted(is_converted(stored_encoding, given_bytes.size()))
+        , encoding(stored_encoding == Encoding::windows_1252 ? stored_encoding : Encoding::utf8)
+        , bytes(converted ? maclint::to_utf8(given_bytes, stored_encoding) : std::move(given_bytes))
+        , stored(converted ? std::move(given_bytes) : std::string()) {}
 
     const LineIndex& lines() const {
         return index.get([this] { return LineIndex(bytes, encoding); });
     }
 
     const std::string path;
+    const Encoding stored_encoding;
+    const bool converted;
+    const Encoding encoding; ///< of `bytes`
     const std::string bytes;
-    const Encoding encoding;
+    const std::string stored; ///< empty where `bytes` are those of the file
     mutable MadeOnce<LineIndex> index;
 };
 
@@ -35,12 +60,18 @@ Source Source::from_bytes(std::string path, std::string bytes) {
 }
 
 Source Source::read_as(Encoding encoding) const {
-    return Source(std::make_shared<const Contents>(contents_->path, contents_->bytes, encoding));
+    return Source(std::make_shared<const Contents>(contents_->path, std::string(stored_bytes()), encoding));
 }
 
 const std::string& Source::path() const { return contents_->path; }
 
 std::string_view Source::bytes() const { return contents_->bytes; }
+
+std::string_view Source::stored_bytes() const {
+    return contents_->converted ? contents_->stored : contents_->bytes;
+}
+
+Encoding Source::stored_encoding() const { return contents_->stored_encoding; }
 
 std::string_view Source::bytes(Span span) const {
     assert(span.begin <= span.end && span.end <= size());

@@ -35,10 +35,15 @@ class Source {
 
     /// As the user gave it.
     [[nodiscard]] const std::string& path() const;
-    /// The whole file, byte order mark and tape leader included.
+    /// The whole file, byte order mark and tape leader included; in UTF-8 where it is stored in Shift-JIS or
+    /// GBK. All offsets are into these.
     [[nodiscard]] std::string_view bytes() const;
+    /// The bytes of the file as they are stored. Its lines are the same.
+    [[nodiscard]] std::string_view stored_bytes() const;
+    [[nodiscard]] Encoding stored_encoding() const;
     [[nodiscard]] std::string_view bytes(Span span) const;
     [[nodiscard]] Offset size() const;
+    /// Of `bytes`: UTF-8 or Windows-1252.
     [[nodiscard]] Encoding encoding() const;
     [[nodiscard]] bool has_byte_order_mark() const;
 

@@ -2,8 +2,10 @@
 #include "cli/commands/commands.hpp"
 #include "cli/commands/report_target.hpp"
 #include "cli/commands/show_config.hpp"
+#include "cli/commands/show_files.hpp"
 #include "cli/engine/engine.hpp"
 #include "cli/gate/gate.hpp"
+#include "cli/gather_notices.hpp"
 #include "cli/report/limit.hpp"
 #include "cli/report/report.hpp"
 #include "cli/report/statistics.hpp"
@@ -77,6 +79,12 @@ bool fails(const Report& report, std::optional<Severity> fail_on) {
     return fail_on && std::ranges::any_of(report.findings, [&](const FilteredFinding& filtered) {
                return !filtered.suppressed && filtered.finding.severity >= *fail_on;
            });
+}
+
+int exit_of(const std::vector<Notice>& notices) {
+    for (const Notice& notice : notices)
+        if (notice.is_error()) print_notice(notice);
+    return std::ranges::any_of(notices, &Notice::is_error) ? exit_error : exit_clean;
 }
 
 bool is_for_people(Format format) { return format == Format::text || format == Format::concise; }
@@ -162,6 +170,11 @@ int run_check(const CheckRequest& request) {
     bool has_baseline = false;
     if (request.show_config == ShowConfig::yes) {
         config = show_config(snapshot);
+    } else if (request.show_files == ShowFiles::yes) {
+        ShownFiles files = show_files(snapshot, inputs);
+        std::ranges::move(files.notices, std::back_inserter(notices));
+        progress.reset();
+        return std::max(print_text(files.text), exit_of(notices));
     } else {
         auto opened = Gate::open(request, snapshot);
         if (const auto* refused = std::get_if<Notice>(&opened)) {
@@ -179,6 +192,7 @@ int run_check(const CheckRequest& request) {
     const bool checks = request.show_config == ShowConfig::no;
     if (request.error_on_empty && checks && result.sources.empty()) notices.push_back(nothing_checked());
     std::ranges::stable_sort(notices, {}, &Notice::path);
+    notices = gather_by_kind(std::move(notices));
     progress.reset();
     for (const Notice& notice : notices)
         if (notice.is_error() || !request.quiet) print_notice(notice);

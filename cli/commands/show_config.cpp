@@ -126,7 +126,7 @@ std::string paragraph(const SnapshotFile& file, const ReadFile& read) {
     out += control_line(file, read);
     out += look_ahead_line(read.file->control->functions);
     if (!file.settings.baseline.empty()) out += line("baseline", shown(file.settings.baseline));
-    out += line("encoding", read.source->encoding() == Encoding::utf8 ? "utf-8" : "windows-1252");
+    out += line("encoding", std::string(name_of(read.source->stored_encoding())));
     return out + rules_lines(*file.settings.rules);
 }
 

@@ -327,15 +327,15 @@ class Loader {
 
     void read_encoding(const JsonNode& node) {
         const std::string& name = text(node, "'encoding'");
-        if (name == "utf-8") {
-            configuration_->encoding = Encoding::utf8;
-        } else if (name == "windows-1252") {
-            configuration_->encoding = Encoding::windows_1252;
-        } else if (name != "auto") {
-            const std::vector<std::string> known = {"auto", "utf-8", "windows-1252"};
+        std::vector<std::string> known = {"auto"};
+        for (const Encoding encoding :
+             {Encoding::utf8, Encoding::windows_1252, Encoding::shift_jis, Encoding::gbk}) {
+            known.emplace_back(name_of(encoding));
+            if (name == known.back()) configuration_->encoding = encoding;
+        }
+        if (std::ranges::find(known, name) == known.end())
             reject(node.span, "there is no encoding '" + name + "'." +
                                   did_you_mean(name, known, "Write " + enumerate(known)));
-        }
     }
 
     /// Relative to the file that names it.

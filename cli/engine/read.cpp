@@ -26,15 +26,18 @@ bool is_no_text(const Source& source) {
     return content == Content::binary || content == Content::utf16;
 }
 
+Notice not_linted(const SnapshotFile& file, const std::string& reason, std::string_view cure) {
+    return {NoticeKind::foreign, file.input.path, "this is not linted: " + reason + ". " + std::string(cure),
+            reason.substr(0, reason.find(" (")), file.input.named};
+}
+
 Notice foreign(const SnapshotFile& file, const std::string& reason) {
-    return {NoticeKind::foreign, file.input.path,
-            "this is not linted: " + reason + ". Name its dialect with --dialect if that is wrong."};
+    return not_linted(file, reason, "Name its dialect with --dialect if that is wrong.");
 }
 
 /// Naming a dialect would change nothing.
 Notice no_program(const SnapshotFile& file, const std::string& reason) {
-    return {NoticeKind::foreign, file.input.path,
-            "this is not linted: " + reason + ". Leave it out if it is no program."};
+    return not_linted(file, reason, "Leave it out if it is no program.");
 }
 
 /// What nobody took for a program when it was named is no program that is broken.
@@ -76,7 +79,7 @@ std::variant<Source, Notice> open_file(const SnapshotFile& file) {
         return Notice{NoticeKind::unreadable, std::move(error->path), std::move(error->message)};
     auto& source = std::get<Source>(result);
     const auto& configuration = file.settings.configuration;
-    if (configuration && configuration->encoding && *configuration->encoding != source.encoding())
+    if (configuration && configuration->encoding && *configuration->encoding != source.stored_encoding())
         return source.read_as(*configuration->encoding);
     return std::move(source);
 }
@@ -130,6 +133,7 @@ ReadFile read_source(const SnapshotFile& file, std::shared_ptr<const Source> sou
     if (!doubtful) return read;
     if (auto reason = reason_for_doubt(*read.file, *read.dialect)) {
         read.notice = foreign(file, *reason);
+        read.notice->what = "most blocks cannot be read";
         read.dialect_reason = *std::move(reason);
         read.dialect = nullptr;
         read.file = nullptr;

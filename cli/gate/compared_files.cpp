@@ -99,7 +99,7 @@ class Comparison {
     }
 
     void compare_text(const FileToCompare& file, std::string_view before) {
-        const std::string_view now = file.source->bytes();
+        const std::string_view now = file.source->stored_bytes();
         if (is_pointer(before) != is_pointer(now)) {
             pointers_.push_back(&file);
         } else {
@@ -113,11 +113,11 @@ class Comparison {
         for (const FileToCompare& file : files_)
             if (!history_.id_of(file.path)) added.try_emplace(file.path, file.source);
         std::size_t lines = 0;
-        for (const auto& [path, source] : added) lines += LineBag::count_lines(source->bytes());
+        for (const auto& [path, source] : added) lines += LineBag::count_lines(source->stored_bytes());
         const auto gone = gone_like(added, lines);
         if (gone.empty()) return {};
         std::vector<NamedLines> newer;
-        for (const auto& [path, source] : added) newer.push_back({path, LineBag(source->bytes())});
+        for (const auto& [path, source] : added) newer.push_back({path, LineBag(source->stored_bytes())});
         const Renames renames = find_renames(gone, newer);
         bound_was_met_ |= renames.bound_was_met;
         std::vector<Pair> pairs;

@@ -1,9 +1,11 @@
 //! Walks folders without recursion; what was seen once, by whatever name, is not seen again.
 #include "cli/input/discover.hpp"
 
+#include "analyzer/dialect/dialect.hpp"
 #include "analyzer/source/platform/files.hpp"
 #include "analyzer/source/platform/output.hpp"
 #include "analyzer/source/platform/paths.hpp"
+#include "analyzer/source/read.hpp"
 #include "cli/input/gitignore.hpp"
 #include "cli/input/links.hpp"
 #include "cli/input/program_name.hpp"
@@ -56,6 +58,14 @@ Notice unreadable_folder(const fs::path& folder, const std::error_code& error) {
     return {NoticeKind::unreadable, as_shown(folder),
             "this folder cannot be read: the system says '" + error.message() +
                 "'. Ask its owner for access or exclude it."};
+}
+
+bool has_no_extension(const std::string& name) { return name.find('.') == std::string::npos; }
+
+/// Told by the beginning of its text.
+bool holds_program(const fs::path& path) {
+    constexpr std::size_t looked_at = 4096;
+    return is_plainly_a_program(beginning_of_file(platform::text_of(path), looked_at));
 }
 
 bool takes_any(const GlobSet& globs, const fs::path& path) { return globs.takes(platform::text_of(path)); }
@@ -156,7 +166,9 @@ class Walk {
         for (const platform::FolderEntry& entry : entries) {
             if (++entries_ > bounds_.entries) full_ = true;
             if (full_) break;
-            if (!is_excluded(configuration, entry.path))
+            if (is_excluded(configuration, entry.path))
+                list(entry, "excluded by the configuration", asked);
+            else
                 sort_out(configuration, entry, folder.real, asked, folders);
         }
         return folders;
@@ -168,12 +180,17 @@ class Walk {
         const std::string name = platform::text_of(entry.path.filename());
         if (leads_out(entry, real)) {
             if (asked) count_link(entry, name, real);
+            list(entry, "a link out of what is searched", asked);
             return;
         }
         const platform::FileKind kind =
             entry.kind == platform::FileKind::link ? platform::kind_of(entry.path) : entry.kind;
         if (kind == platform::FileKind::folder) {
-            if (!is_passed_over(name) && !is_ignored(real, entry, name))
+            if (is_passed_over(name))
+                list(entry, "a folder of what programs made", asked && !name.starts_with('.'));
+            else if (is_ignored(real, entry, name))
+                list(entry, "ignored by git", asked);
+            else
                 folders.push_back({entry.path, place_of(entry, real)});
             return;
         }
@@ -181,12 +198,23 @@ class Walk {
         if (kind == platform::FileKind::pipe || kind == platform::FileKind::other || name.starts_with('.'))
             return;
         const std::size_t one = asked ? 1 : 0;
-        if (!is_wanted(configuration, entry.path, name))
+        const bool is_bare = has_no_extension(name);
+        if (!is_wanted(configuration, entry.path, name) &&
+            !(is_bare && !is_ignored(real, entry, name) && holds_program(entry.path))) {
             found_.passed_over.other_names += is_named_like_other(name) ? 0 : one;
-        else if (is_ignored(real, entry, name))
+            list(entry, is_bare ? "no extension, and not plainly a program" : "another name", asked);
+        } else if (is_ignored(real, entry, name)) {
             found_.passed_over.ignored_by_git += one;
-        else
+            list(entry, "ignored by git", asked);
+        } else {
             take_file(entry, real, asked);
+        }
+    }
+
+    /// Says by name what the numbers of `passed_over` say.
+    void list(const platform::FolderEntry& entry, std::string_view why, bool asked) {
+        if (asked && options_.list_passed_over)
+            found_.files_passed_over.push_back({as_shown(entry.path), why});
     }
 
     /// One that is not followed, so that nobody knows what it leads to, but for its name.

@@ -19,15 +19,17 @@ struct InputFile {
 };
 
 struct DiscoverOptions {
-    bool gitignore = true;      ///< in a repository, what git ignores is passed over in folders
-    bool follow_links = false;  ///< in folders, wherever they lead
-    bool force_exclude = false; ///< what folders are searched without is passed over when it is named, too
+    bool gitignore = true;         ///< in a repository, what git ignores is passed over in folders
+    bool follow_links = false;     ///< in folders, wherever they lead
+    bool force_exclude = false;    ///< what folders are searched without is passed over when it is named, too
+    bool list_passed_over = false; ///< by name and reason, too, not only in numbers
 };
 
 struct Discovered {
     std::vector<InputFile> files; ///< sorted by path, each file once
     std::vector<Notice> notices;
     PassedOver passed_over;
+    std::vector<PassedFile> files_passed_over; ///< where they are to be listed
 };
 
 /// The files that the paths name: files themselves whatever their name is, in folders NC files in the order

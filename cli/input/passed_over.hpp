@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <string>
+#include <string_view>
 
 namespace maclint::cli {
 
@@ -17,6 +18,12 @@ struct PassedOver {
         return {one.other_names - other.other_names, one.ignored_by_git - other.ignored_by_git,
                 one.links_out - other.links_out};
     }
+};
+
+/// A file or folder that a search did not take.
+struct PassedFile {
+    std::string path;
+    std::string_view why; ///< "ignored by git"
 };
 
 /// "10 files with other names passed over, 1 program ignored by git, 1 link to elsewhere not followed";

@@ -184,6 +184,8 @@ void declare_check(CLI::App& check, CheckWords& words) {
              "This configuration instead of the nearest " + std::string(configuration_name));
     check.add_flag("--isolated", words.isolated, "No configuration at all");
     check.add_flag("--show-config", words.show_config, "Print what holds for each file, and why");
+    check.add_flag("--show-files", words.show_files,
+                   "List what is read, what is passed over, and why; check nothing");
     add_file(check, "--stdin-filename", words.stdin_name, "Name under which standard input is linted");
     check.add_option("--jobs", words.jobs, "Threads (default: one a core)")->type_name("N");
     check
@@ -216,6 +218,9 @@ CheckRequest check_request(const CheckWords& words) {
     request.overrides = overrides_of(words);
     require_control(request.overrides);
     request.show_config = words.show_config ? ShowConfig::yes : ShowConfig::no;
+    if (words.show_config && words.show_files)
+        refuse("--show-config and --show-files exclude each other. Leave one out.");
+    request.show_files = words.show_files ? ShowFiles::yes : ShowFiles::no;
     request.stdin_name = words.stdin_name.empty() ? std::string(default_stdin_name) : words.stdin_name;
     request.jobs = words.jobs.empty() ? std::max(1U, std::thread::hardware_concurrency())
                                       : number("--jobs", words.jobs, 1U, most_jobs);
@@ -238,7 +243,8 @@ CheckRequest check_request(const CheckWords& words) {
     read_gate(words, request);
     request.discovery = {.gitignore = !words.no_gitignore,
                          .follow_links = words.follow_links,
-                         .force_exclude = words.force_exclude};
+                         .force_exclude = words.force_exclude,
+                         .list_passed_over = words.show_files};
     request.error_on_empty = words.error_on_empty;
     return request;
 }

@@ -167,8 +167,8 @@ class SarifWriter {
         for (std::size_t i = 0; i < artifact_files_.size(); ++i) {
             const Source& source = *artifact_files_[i];
             Json artifact = {{"location", location_of_path(source.path())},
-                             {"length", source.size()},
-                             {"encoding", source.encoding() == Encoding::utf8 ? "UTF-8" : "windows-1252"}};
+                             {"length", source.stored_bytes().size()},
+                             {"encoding", registered_name_of(source.stored_encoding())}};
             artifact["location"]["index"] = i;
             if (i < report_.files.size()) artifact["roles"] = {"analysisTarget"};
             list.push_back(std::move(artifact));

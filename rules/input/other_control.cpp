@@ -7,10 +7,11 @@ extern const Rule other_control{
     .code = "MAC005",
     .name = "other-control",
     .summary = "The program is written for another control; what it says here is withheld",
-    .why =
-        "Read in the wrong language, every block looks like a mistake, and what the rest finds means"
-        " nothing. Two different marks of another control tell it, or more than a fifth of the blocks, ten at"
-        " least, that make no sense. Whoever names the dialect, or allows this finding, sees all others.",
+    .why = "Read in the wrong language, every block looks like a mistake, and what the rest finds means"
+           " nothing. Two different marks of another control tell it, four remarks after ';', which some "
+           "controls"
+           " have, or more than a fifth of the blocks, ten at least, that make no sense. Whoever names the "
+           "dialect, or allows this finding, sees all others.",
     .severity = Severity::warning,
     .precision = Precision::very_high,
     .messages = {{"marks",

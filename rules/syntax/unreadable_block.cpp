@@ -24,6 +24,8 @@ extern const Rule unreadable_block{
          {"plain", "Unreadable text '{0}': the control stops in this block."},
          {"remark", "Remark without brackets: after {1}, the control runs '{0}' as a block.",
           "Put it in ( ), or name the program's control (--dialect, or \"files\" in the configuration)."},
+         {"sign", "Wide character '{0}' in code: the control does not know it, and stops in this block.",
+          "Write '{1}'."},
          {"point", "Variable number with a decimal point: '{0}'. No manual says that the control takes it.",
           "Write '{1}'."},
          {"before return", "Condition before M99: the control stops at '{0}'.", "Put IF before it."},
@@ -78,6 +80,7 @@ void check(const ProgramFile& file, Reporter& reporter) {
     report_syntax_error(file, SyntaxErrorKind::unreadable, reporter);
     report_syntax_error(file, SyntaxErrorKind::condition_before_return, reporter,
                         {.without = "before return", .elsewhere = "before return elsewhere"});
+    report(file, SyntaxErrorKind::wide_sign, "sign", Severity::error, reporter);
     report(file, SyntaxErrorKind::nested_comment, "cure", Severity::error, reporter);
     report(file, SyntaxErrorKind::bare_remark, "remark", Severity::warning, reporter);
     report(file, SyntaxErrorKind::point_in_variable_number, "point", Severity::warning, reporter);

@@ -233,7 +233,7 @@ TEST_F(BadBytes, ShiftJisComments) {
     EXPECT_THAT(findings_in_fixture("shift-jis-comment.nc"), IsEmpty());
     // The second byte of the characters is '\\', '[' and '{'.
     EXPECT_THAT(findings_in("%\nO1 (\x95\x5C\x81\x5B\x83\x7B)\n(\x95\x5C) GOTO 99\nM30\n%\n"),
-                ElementsAre("3:6 MAC301"));
+                ElementsAre("3:5 MAC301"));
 }
 
 TEST_F(BadBytes, JumpsToHugeNumbers) {

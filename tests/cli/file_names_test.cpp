@@ -45,7 +45,7 @@ TEST_F(Backslash, BelongsToTheNameOfStandardInput) {
 
 TEST_F(Backslash, DoesNotEndAFolder) {
     folder.write("a\\.nc", with_defect);     // ends in .nc, as O1.nc does
-    folder.write("part\\O77", with_defect);  // is not named O77
+    folder.write("part\\O77", "Oil it.\n");  // is not named O77
     folder.write("x\\y.z\\O1", with_defect); // has the extension .z\O1
     EXPECT_THAT(run({"--format", "concise"}).out,
                 AllOf(StartsWith("a\\.nc:4:1: error[MAC301]"),

@@ -103,6 +103,22 @@ TEST(OtherControl, AHabitOfWritingIsNone) {
     EXPECT_THAT(test::codes(test::lint_text(brackets + "M30\n")), ElementsAre("MAC116"));
 }
 
+TEST(OtherControl, TheHabitOfRemarksAfterSemicolonsIsOne) {
+    const std::string remarks =
+        "O1\n; measure the bore\n#1=5 ; depth\nG65P2A#1 ; call it\n; done\nGOTO7\nM30\n";
+    EXPECT_THAT(test::codes(test::lint_text(remarks)), ElementsAre("MAC005"));
+    EXPECT_THAT(only_message(remarks), AllOf(HasSubstr("remarks after ';'"), HasSubstr("in line 2")));
+    EXPECT_THAT(
+        test::codes(test::lint_text("O1\n; measure the bore\nG0X1. ; depth\nG100P2(<FMT:.1F,#10>)\nM30\n")),
+        ElementsAre("MAC005"));
+    // Three are none, and what stands in brackets after ';' is for any control.
+    EXPECT_THAT(test::codes(test::lint_text("O1\n; measure the bore\nG0X1. ; depth\n; ready\nM30\n")),
+                ElementsAre("MAC121"));
+    std::string brackets = "O1\n";
+    for (int i = 0; i < 6; ++i) brackets += "G0X1.; (TO THE (LEFT) EDGE)\n";
+    EXPECT_THAT(test::codes(test::lint_text(brackets + "M30\n")), Not(Contains("MAC005")));
+}
+
 TEST(OtherControl, DinPlusStaysDinPlus) {
     EXPECT_THAT(
         test::codes(test::lint_text("MACHINING\nN10 G0 X100 Z2\nN11 CALL O5\nN12 NOEX\nN30 M30\nEND\n")),

@@ -164,7 +164,7 @@ TEST_F(Pipeline, KnowsProgramsByUnusualNames) {
     for (const char* name : {"O9010_TORUS", "o12-A", "nc40", "1234", "shaft.DIN", "a.min", "b.eia"})
         folder.write(name, without_defect);
     for (const char* name : {"O9010TORUS", "nc", "nc40a", "123456789", "Oil"})
-        folder.write(name, without_defect);
+        folder.write(name, "Oil the chuck.\n");
     EXPECT_EQ(run({"."}).out, "no findings (7 checked, 5 files with other names passed over)\n");
     folder.write("2024", "Minutes of the meeting,\nas everybody knows.\n"); // no program: nobody hears of it
     EXPECT_THAT(run({"."}).err, IsEmpty());

@@ -1,6 +1,7 @@
 //! Wrong blocks, and the cause that is told for each.
 #include "analyzer/dialect/fanuc/diagnose.hpp"
 #include "analyzer/dialect/fanuc/split.hpp"
+#include "analyzer/program/readable.hpp"
 #include "tests/dialect/reading.hpp"
 
 #include <algorithm>
@@ -190,6 +191,48 @@ TEST(SyntaxErrors, AWordOfAnotherLanguageHasOneCauseInNoiseAndElsewhere) {
         EXPECT_EQ(in_noise->kind, alone.kind) << code;
         EXPECT_EQ(in_noise->cure, alone.cure) << code;
     }
+}
+
+TEST(SyntaxErrors, TheEndOfFileMarkOfDosIsPassedOverAtTheEndAndToldInTheMiddle) {
+    for (const char* end : {"\x1A", "%\n\x1A", "%\r\n\x1A\x1A", "%\x1A", "\x1A\n\n"})
+        EXPECT_TRUE(test::read(std::string("O1\nG0X5.\nM30\n") + end).syntax_errors.empty()) << end;
+    EXPECT_EQ(test::read("O1\nG0X5.\n\x1A\nM30\n").syntax_errors.size(), 1U);
+}
+
+TEST(SyntaxErrors, TheFirstLettersOfWhileAreNoCause) {
+    for (const std::string good : {"WH[#1LE5]DO1", "WH[#1NE#2]DO2", "wh[#1LT5]DO1", "N5 WH[#1LE5] DO1"})
+        EXPECT_FALSE(fanuc::find_cause(good, {0, static_cast<Offset>(good.size())})) << good;
+    const std::string sign = "WH[#1<5]DO1";
+    EXPECT_EQ(fanuc::find_cause(sign, {0, static_cast<Offset>(sign.size())}).value().kind,
+              SyntaxErrorKind::symbolic_comparison);
+}
+
+TEST(SyntaxErrors, ARemarkWithBracketsAndASemicolonIsOneCause) {
+    for (const std::string remark : {"(AUTHOR(A):ANNA E EVA; 27/05)", "(CUT(1) SLOWLY; X5; Z5)"}) {
+        const auto errors = test::read("O1\n" + remark + "\nG0X5.\nM30\n").syntax_errors;
+        ASSERT_EQ(errors.size(), 1U) << remark;
+        EXPECT_EQ(errors[0].kind, SyntaxErrorKind::nested_comment) << remark;
+    }
+    // Here the ';' ends the block.
+    EXPECT_EQ(lower("G0X1(A(B)); G0X2 (C)").find("unreadable"), lower("G0X1)\nG0X2").find("unreadable"));
+    EXPECT_EQ(lower("G0X1(A(B) X5; Z5)"), lower("G0X1(A(B) X5\nZ5)"));
+    EXPECT_EQ(lower("G0X1(A); G0X2(B)"), lower("G0X1\nG0X2"));
+}
+
+TEST(SyntaxErrors, ARemarkAfterASharpIsToldAndTheBlockBeforeItRead) {
+    const ProgramFile file = test::read("G1X5. # to the left edge\n# second pass\n#slow down here\nM30\n");
+    ASSERT_EQ(file.syntax_errors.size(), 3U);
+    for (const SyntaxError& error : file.syntax_errors) EXPECT_EQ(error.kind, SyntaxErrorKind::bare_remark);
+    EXPECT_EQ(file.syntax_errors[0].subject, "# to the left edge");
+    EXPECT_EQ(file.syntax_errors[2].cure, "'#'");
+    EXPECT_EQ(count_readable(file).unreadable, 0U);
+    EXPECT_EQ(count_readable(file).blocks, 5U);
+}
+
+TEST(SyntaxErrors, AVariableIsNoRemark) {
+    for (const std::string code : {"#=1", "# 101=5", "#[#2+1]=5", "#DEPTH=5", "#ABS[#1]=2", "X# Y5", "# X5"})
+        for (const SyntaxError& error : test::read(code).syntax_errors)
+            EXPECT_NE(error.kind, SyntaxErrorKind::bare_remark) << code;
 }
 
 } // namespace

@@ -59,5 +59,20 @@ TEST(Classify, TellsUtf16FromOtherBinaryFiles) {
     EXPECT_EQ(classify("\xFE\xFF\0%\0\n"s), Content::utf16);
 }
 
+TEST(WithoutEndOfFile, PassesOverTheMarksOfDosAndWhatFillsTheBlockAfterThem) {
+    EXPECT_EQ(without_end_of_file("M30\n%\n\x1A"), "M30\n%\n");
+    EXPECT_EQ(without_end_of_file("M30\x1A"), "M30");
+    EXPECT_EQ(without_end_of_file("M30\r\n\x1A\x1A\x1A"), "M30\r\n");
+    EXPECT_EQ(without_end_of_file("M30\n\x1A\0\0\0"s), "M30\n");
+    EXPECT_EQ(without_end_of_file("M30\n\x1A\r\n \r\n"), "M30\n");
+}
+
+TEST(WithoutEndOfFile, LeavesAMarkThatTextFollowsAndTextWithoutOne) {
+    EXPECT_EQ(without_end_of_file("G0X0\n\x1A\nM30\n\x1A"), "G0X0\n\x1A\nM30\n");
+    EXPECT_EQ(without_end_of_file("M30\n%\n\0\0"s), "M30\n%\n\0\0"s);
+    EXPECT_EQ(without_end_of_file("\x1A"), "");
+    EXPECT_EQ(without_end_of_file(""), "");
+}
+
 } // namespace
 } // namespace maclint

@@ -57,6 +57,14 @@ std::optional<std::string_view> find_source_language(std::string_view text) {
     return std::nullopt;
 }
 
+/// `<?xml`, `<!doctype`, or a tag at the head and one that is closed: `<PART>` is the name of a program.
+bool is_markup(std::string_view text) {
+    if (text.size() < 3 || text[0] != '<') return false;
+    if (text[1] == '?' || text[1] == '!') return is_letter(text[2]) || text[2] == '-';
+    return is_letter(text[1]) &&
+           (text.find("</") != std::string_view::npos || text.find("/>") != std::string_view::npos);
+}
+
 /// Whether texts, numbers and brackets that match are all that stands in the list at the head of the text,
 /// and nothing stands after it. `[Part "A1"]` is a comment of DIN PLUS.
 bool is_json_list(std::string_view text) {
@@ -98,9 +106,9 @@ std::optional<std::string_view> find_other_text(std::string_view text) {
     const std::size_t first = text.find_first_not_of(" \t\r\n");
     if (first == std::string_view::npos) return std::nullopt;
     text.remove_prefix(first);
+    if (text.starts_with("{\\rtf")) return "RTF";
     if (text.front() == '{' || (text.front() == '[' && is_json_list(text))) return "JSON";
-    static constexpr std::string_view markup[] = {"<?xml", "<!DOCTYPE", "<html"};
-    if (starts_with_any(text, markup)) return "XML or HTML";
+    if (is_markup(text)) return "XML or HTML";
     if (text.starts_with("#!")) return "a script";
     if (text.starts_with(pdf_head)) return "PDF";
     return find_source_language(text);

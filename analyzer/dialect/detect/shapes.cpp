@@ -153,6 +153,100 @@ bool osp_file_name(const Line& line) {
     return line.whole().starts_with("$") && line.whole().find(".MIN%") != std::string_view::npos;
 }
 
+bool citizen_cycle(const Line& line) {
+    const auto words = line.words();
+    if (words.size() != 1 || words[0].letter != 'G') return false;
+    const std::int32_t code = words[0].tenths / 10;
+    return code == 999 || (code >= 600 && code < 700 && code % 10 == 0);
+}
+
+bool tool_in_hundreds(const Line& line) {
+    const auto words = line.words();
+    return words.size() == 1 && words[0].letter == 'T' && words[0].digits == 3 && words[0].tenths % 1000 == 0;
+}
+
+bool language_switch(const Line& line) { return line.words().size() == 1 && line.has('G', 2900, 2910); }
+
+bool path_mark(const Line& line) {
+    const std::string_view code = line.whole().substr(0, line.whole().find('('));
+    return trim(code).size() == 2 && code[0] == '$' && code[1] >= '1' && code[1] <= '4';
+}
+
+bool path_wait(const Line& line) {
+    const std::string_view code = line.code();
+    if (!code.starts_with('!')) return false;
+    const std::size_t letter = code.find_first_not_of("!0123456789");
+    return letter != std::string_view::npos && code[letter] == 'L' && letter + 1 < code.size() &&
+           is_digit(code[letter + 1]);
+}
+
+bool assigns_l(const Line& line) { return assigns(line.code(), "L"); }
+
+bool value_of_l(const Line& line) {
+    constexpr std::string_view before = "XZUWIKF[";
+    const std::string_view code = line.code();
+    for (std::size_t at = code.find('L', 1); at != std::string_view::npos; at = code.find('L', at + 1))
+        if (at + 1 < code.size() && is_digit(code[at + 1]) &&
+            before.find(code[at - 1]) != std::string_view::npos)
+            return true;
+    return false;
+}
+
+bool open_directive(const Line& line) {
+    static constexpr std::string_view heads[] = {"[BILLET",     "[EDGEMOVE",  "[TOOLDEF",
+                                                 "[TOOLCOLOUR", "[STEP",      "[CLEAR",
+                                                 "[TOLERANCE",  "[COMPONENT", "[SUBPROGRAM"};
+    const std::string_view whole = line.whole();
+    return starts_with_any(whole, heads) && whole.find_first_of("]#") == std::string_view::npos;
+}
+
+bool alignment_block(const Line& line) {
+    const std::string_view whole = line.whole();
+    const std::size_t number = whole.starts_with(':') ? skip_digits(whole, 1) : 0;
+    const std::size_t code = skip_blanks(whole, number);
+    constexpr std::string_view letters = "GTMXYZ";
+    return number > 0 && code + 1 < whole.size() && letters.find(whole[code]) != std::string_view::npos &&
+           is_digit(whole[code + 1]);
+}
+
+bool fadal_variable(const Line& line) { return line.whole().size() > 2 && is_digit(line.whole()[2]); }
+
+bool fagor_head(const Line& line) {
+    const std::string_view whole = line.whole();
+    const std::size_t comma = whole.find(',');
+    if (!whole.starts_with('%') || comma == std::string_view::npos || comma < 2) return false;
+    const std::string_view rights = whole.substr(comma + 1, whole.find(',', comma + 1) - comma - 1);
+    return !rights.empty() && rights.size() < 6 && rights.find_first_not_of("MX- ") == std::string_view::npos;
+}
+
+bool fagor_register(const Line& line) {
+    const std::string_view code = line.code();
+    const std::size_t sign = code.starts_with('P') ? skip_digits(code, 1) : 0;
+    return sign > 1 && sign + 2 < code.size() && code[sign] == '=' &&
+           (code[sign + 1] == 'K' || code[sign + 1] == 'P') && is_digit(code[sign + 2]);
+}
+
+bool fagor_statement(const Line& line) {
+    static constexpr std::string_view heads[] = {"CALL ", "PCALL ", "MCALL ", "SUB ",   "ERROR ", "GOTO N",
+                                                 "IF P",  "IF (P",  "RPT N",  "MSG \"", "MEXEC "};
+    const std::string_view text = line.comment();
+    constexpr std::string_view beginnings = "CPMSEGIR";
+    if (text.empty() || beginnings.find(text.front()) == std::string_view::npos) return false;
+    if (text == "RET") return true;
+    const auto* const head =
+        std::ranges::find_if(heads, [&](std::string_view h) { return text.starts_with(h); });
+    if (head == std::end(heads)) return false;
+    return text[head->size() - 1] == '"' || (head->size() < text.size() && is_digit(text[head->size()]));
+}
+
+bool fagor_parameter(const Line& line) {
+    const std::string_view text = line.comment();
+    const std::size_t sign = text.starts_with('P') ? skip_digits(text, 1) : 0;
+    constexpr std::string_view values = "0123456789PK+-*/.() ";
+    return sign > 1 && sign + 1 < text.size() && text[sign] == '=' &&
+           text.find_first_not_of(values, sign + 1) == std::string_view::npos;
+}
+
 bool remark(const Line& line) {
     const std::string_view text = line.remark();
     const auto capital = std::ranges::find_if(text, is_capital);

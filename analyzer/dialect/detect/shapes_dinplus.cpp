@@ -1,6 +1,9 @@
 //! The shapes of DIN PLUS: a fragment without a section word must still be told [dinplus.md 1-3].
+#include "analyzer/dialect/detect/line_kinds.hpp"
 #include "analyzer/dialect/detect/shapes.hpp"
+#include "analyzer/dialect/dinplus/keywords.hpp"
 #include "analyzer/dialect/dinplus/sections.hpp"
+#include "analyzer/dialect/fanuc/keywords.hpp"
 
 #include <algorithm>
 
@@ -15,6 +18,26 @@ template<typename Test>
 bool anywhere(std::string_view text, char first, Test test) {
     for (std::size_t at = text.find(first); at != std::string_view::npos; at = text.find(first, at + 1))
         if (test(text, at + 1)) return true;
+    return false;
+}
+
+/// Whether a word that is no keyword stands outside of comments and texts.
+bool has_word_for_people(std::string_view code) {
+    const auto* const quote = std::ranges::find_if(code, [](char c) {
+        return c == '[' || c == '"' || c == '#' || static_cast<unsigned char>(c) >= 0x80;
+    });
+    code = {code.begin(), quote};
+    for (std::size_t at = 0; at < code.size();) {
+        if (!is_capital(code[at])) {
+            ++at;
+            continue;
+        }
+        const auto* const begin = code.begin() + static_cast<std::ptrdiff_t>(at);
+        const auto* const end = std::find_if_not(begin, code.end(), is_capital);
+        const std::string_view word(begin, end);
+        if (fanuc::is_for_people(word) && !dinplus::is_keyword(word)) return true;
+        at = static_cast<std::size_t>(end - code.begin());
+    }
     return false;
 }
 
@@ -57,7 +80,7 @@ bool tool_feed_and_speed_in_one_block(const Line& line) {
 }
 
 bool cycle_of_three_digits(const Line& line) {
-    return line.has('G', 3000, 3999) || line.has('G', 4000, 4099) || line.has('G', 7000, 9999);
+    return line.has('G', 3000, 3999) || line.has('G', 4000, 4099) || line.has('G', 7000, 9989);
 }
 
 bool tool_change_point(const Line& line) { return line.has('G', 140, 140) && line.word('Q') != nullptr; }
@@ -136,6 +159,41 @@ bool bracketed_remark(const Line& line) {
         if (inside.find('#') != std::string_view::npos || starts_with_any(inside, functions)) return false;
         return inside.size() >= 3 && std::ranges::all_of(inside.substr(0, 3), is_capital);
     });
+}
+
+/// In DIN PLUS round brackets hold a value: without a variable a function, at most.
+bool words_in_round_brackets(const Line& line) {
+    const std::string_view comment = line.comment();
+    if (comment.find_first_of("#_") != std::string_view::npos) return false;
+    const auto* const begin = std::ranges::find_if(comment, is_capital);
+    const auto* const end = std::find_if_not(begin, comment.end(), is_capital);
+    return fanuc::is_for_people({begin, end}) ||
+           (end != comment.end() && is_blank(*end) && begin == comment.begin());
+}
+
+/// Whether most lines of a text that bears marks of DIN PLUS can be read.
+bool reads_as_din_plus(std::string_view text) {
+    std::size_t read = 0, others = 0;
+    bool in_comment = false;
+    Line line;
+    LineEnds ends(text);
+    for (std::size_t at = 0; at < text.size();) {
+        const std::size_t end = ends.from(at);
+        line.read(text.substr(at, end - at));
+        at = end + 1;
+        const std::string_view whole = line.whole();
+        if (whole.empty()) continue;
+        const bool begun = in_comment;
+        const std::size_t open = whole.rfind('[');
+        const std::size_t close = whole.rfind(']');
+        if (open != std::string_view::npos || close != std::string_view::npos)
+            in_comment = close == std::string_view::npos || (open != std::string_view::npos && open > close);
+        if (begun) continue;
+        if (section_word(line) || end_of_program_word(line)) continue;
+        const bool is_other = is_capital(whole.front()) && has_word_for_people(line.code());
+        (is_other ? others : read) += 1;
+    }
+    return others <= read || others == 1;
 }
 
 bool elided_number(const Line& line) { return line.whole().starts_with("N.. "); }

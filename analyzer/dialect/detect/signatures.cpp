@@ -76,6 +76,7 @@ constexpr Signature signatures[] = {
     {din_plus,       2, 2, In::head,    "INPUT",      nullptr,               ""},
     {din_plus,       2, 2, In::head,    "PRINT",      nullptr,               ""},
     {din_plus,       1, 3, In::code,    "",           bracketed_remark,      "a remark in square brackets"},
+    {din_plus,      -4, 1, In::comment, "",           words_in_round_brackets, ""},
 
     // HEIDENHAIN Klartext and DIN/ISO (TNC)
     {klartext,       4, 1, In::head,    "BEGIN PGM",  nullptr,               "BEGIN PGM"},
@@ -204,11 +205,52 @@ constexpr Signature signatures[] = {
 
     // FADAL [T: macro lines begin with #]
     {fadal,          2, 1, In::line,    "#CLEAR",     nullptr,               ""},
-    {fadal,          2, 1, In::line,    "#V",         nullptr,               "a macro line #V"},
-    {fadal,          2, 1, In::line,    "#R",         nullptr,               "a macro line #R"},
+    {fadal,          2, 1, In::line,    "#V",         fadal_variable,               "a macro line #V"},
+    {fadal,          2, 1, In::line,    "#R",         fadal_variable,               "a macro line #R"},
     {fadal,          2, 1, In::line,    "#IF",        nullptr,               ""},
     {fadal,          2, 1, In::line,    "#GOTO",      nullptr,               ""},
     {fadal,          2, 1, In::line,    "#PRINT",     nullptr,               ""},
+
+    {fagor,          6, 1, In::line,    "%",          fagor_head,            "a head like %NAME,MX,"},
+    {fagor,          2, 3, In::comment, "",           fagor_statement,       "a statement in round brackets"},
+    {fagor,          3, 2, In::code,    "",           fagor_register,        "a parameter like P1=K5"},
+    {fagor,          1, 3, In::comment, "",           fagor_parameter,       "a parameter like (P1=5)"},
+
+    // Denford [T: directives of its simulator]
+    {denford,        6, 2, In::line,    "[",          open_directive,        "a directive like [BILLET"},
+
+    // TRAUB TX8 [T: L parameters]
+    {traub,          2, 3, In::code,    "",           assigns_l,             "a parameter like L1="},
+    {traub,          2, 3, In::code,    "",           value_of_l,            "the value of a parameter L"},
+
+    // Citizen, Star, Tsugami, Mitsubishi: programs of several paths in one file [T]
+    {several_paths, 12, 2, In::line,    "$",          path_mark,             "a path mark like $1"},
+    {several_paths,  6, 2, In::code,    "",           path_wait,             "a wait like !L1"},
+    {several_paths,  1, 4, In::words,   "",           citizen_cycle,         "a cycle like G650"},
+    {several_paths,  1, 1, In::words,   "",           tool_in_hundreds,      "a tool like T200"},
+
+    // SINUMERIK in ISO mode [T: G290 and G291 switch the language]
+    {sinumerik_iso, 24, 1, In::words,   "",           language_switch,       "G290 or G291"},
+
+    // Cincinnati Acramatic [T: type II blocks, alignment blocks]
+    {acramatic,      4, 1, In::comment, "ID,PROG",    nullptr,               "a block like (ID,PROG"},
+    {acramatic,      3, 1, In::comment, "PGM,",       nullptr,               "a block like (PGM,"},
+    {acramatic,      3, 2, In::comment, "CLS,",       nullptr,               "a block like (CLS,"},
+    {acramatic,      3, 2, In::comment, "DFC,",       nullptr,               "a block like (DFC,"},
+    {acramatic,      3, 2, In::comment, "DFS,",       nullptr,               "a block like (DFS,"},
+    {acramatic,      3, 2, In::comment, "URT,",       nullptr,               "a block like (URT,"},
+    {acramatic,      1, 2, In::comment, "MSG,",       nullptr,               "a block like (MSG,"},
+    {acramatic,      2, 2, In::line,    ":",          alignment_block,       "an alignment block like :10 G0"},
+
+    // Mazak Mazatrol, printed [T]
+    {mazatrol,       4, 1, In::inside,  "INITIAL-Z",  nullptr,               ""},
+    {mazatrol,       4, 1, In::inside,  "ATC MODE",   nullptr,               ""},
+    {mazatrol,       4, 1, In::inside,  "MAZATROL",   nullptr,               ""},
+    {mazatrol,       2, 3, In::head,    "UNO.",       nullptr,               ""},
+    {mazatrol,       2, 3, In::head,    "SNO.",       nullptr,               ""},
+    {mazatrol,       2, 3, In::head,    "UNO ",       nullptr,               ""},
+    {mazatrol,       2, 3, In::head,    "SNO ",       nullptr,               ""},
+    {mazatrol,       2, 2, In::head,    "FIG PTN",    nullptr,               ""},
 
     {hobby,          2, 2, In::remark,  "",           remark,                "remarks after ';'"},
 };
@@ -252,6 +294,15 @@ constexpr Needed needed[] = {
     {extruder_zero, "G92E"},
     {heater, "M1S"},
     {work_offset_by_g15, "G15H"},
+    {path_wait, "!L"},
+    {assigns_l, "L="},
+    {value_of_l, "L"},
+    {citizen_cycle, "G"},
+    {tool_in_hundreds, "T0"},
+    {language_switch, "G29"},
+    {fagor_parameter, "P="},
+    {fagor_register, "P="},
+    {words_in_round_brackets, "("},
 };
 
 /// How common characters are in NC texts, the commonest first; all others are rare.
@@ -356,7 +407,8 @@ constexpr Extension extensions[] = {
 constexpr std::array<std::string_view, language_count> names = {
     "FANUC",    "HEIDENHAIN DIN PLUS", "HEIDENHAIN Klartext", "HEIDENHAIN DIN/ISO", "SINUMERIK",
     "LinuxCNC", "a 3D printer",        "GRBL",                "wire erosion",       "OKUMA OSP",
-    "LNC",        "SYNTEC",    "FAGOR",     "FADAL",
+    "LNC",        "SYNTEC",    "FAGOR",     "FADAL", "Denford", "TRAUB", "CITIZEN or another lathe of several paths",
+    "SINUMERIK in ISO mode", "Acramatic", "MAZATROL",
     "G-code for LinuxCNC, GRBL, a 3D printer or the like"};
 // clang-format on
 
@@ -451,7 +503,9 @@ Language Evidence::verdict() const {
         best = i;
         most = sums[i];
     }
-    return static_cast<Language>(best);
+    const auto verdict = static_cast<Language>(best);
+    const bool is_both = verdict == sinumerik_iso && sums[static_cast<std::size_t>(sinumerik)] >= enough;
+    return is_both ? sinumerik : verdict; // it switches in between
 }
 
 std::vector<Evidence::Seen> Evidence::seen_in_code(Language language) const {

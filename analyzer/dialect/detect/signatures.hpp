@@ -28,9 +28,15 @@ enum class Language : std::uint8_t {
     syntec,
     fagor,
     fadal,
+    denford,
+    traub,
+    several_paths, ///< Citizen and others
+    sinumerik_iso, ///< switched to the G codes of Fanuc
+    acramatic,
+    mazatrol,
     hobby, ///< G-code with remarks after `;`, whoever reads it
 };
-constexpr std::size_t language_count = 15;
+constexpr std::size_t language_count = 21;
 
 /// "HEIDENHAIN Klartext"
 [[nodiscard]] std::string_view name_of(Language language);
@@ -62,7 +68,7 @@ class Evidence {
   private:
     [[nodiscard]] std::array<int, language_count> points() const;
 
-    static constexpr std::size_t most_signatures = 160;
+    static constexpr std::size_t most_signatures = 224;
     struct Sighting {
         std::uint8_t times = 0;
         std::uint32_t line = 0; ///< of the first

@@ -7,6 +7,7 @@
 #include "analyzer/dialect/dinplus/lexer.hpp"
 #include "analyzer/dialect/dinplus/sections.hpp"
 #include "analyzer/dialect/numbers.hpp"
+#include "analyzer/dialect/wide_signs.hpp"
 
 #include <algorithm>
 #include <utility>
@@ -48,6 +49,22 @@ class ErrorExplainer {
         });
         if (token == tokens_.end()) return std::nullopt;
         return make(SyntaxErrorKind::unreadable, *token, "a number");
+    }
+
+    /// `X–5`: for the lexer such characters are letters.
+    [[nodiscard]] std::optional<SyntaxError> wide_sign() const {
+        for (const Token& token : tokens_) {
+            if (token.kind != TokenKind::letters) continue;
+            for (Offset at = token.span.begin; at < token.span.end; ++at) {
+                const auto sign = wide_sign_at(text_, at);
+                if (!sign || at + sign->length != token.span.end) continue;
+                return SyntaxError{SyntaxErrorKind::wide_sign,
+                                   {at, token.span.end},
+                                   std::string(text_.substr(at, sign->length)),
+                                   std::string(1, sign->meant)};
+            }
+        }
+        return std::nullopt;
     }
 
     [[nodiscard]] std::optional<SyntaxError> bracket_mismatch() const {
@@ -111,8 +128,9 @@ SyntaxError find_parse_error(std::string_view text, Span block, const syntax::Tr
 
 std::optional<SyntaxError> find_cause(std::string_view text, Span block) {
     const ErrorExplainer explainer(text, block);
-    for (const auto cause : {&ErrorExplainer::unclosed_text, &ErrorExplainer::placeholder,
-                             &ErrorExplainer::bracket_mismatch, &ErrorExplainer::unknown_keyword})
+    for (const auto cause :
+         {&ErrorExplainer::unclosed_text, &ErrorExplainer::placeholder, &ErrorExplainer::wide_sign,
+          &ErrorExplainer::bracket_mismatch, &ErrorExplainer::unknown_keyword})
         if (std::optional<SyntaxError> found = (explainer.*cause)()) return found;
     return std::nullopt;
 }

@@ -15,6 +15,7 @@
 #include "analyzer/dialect/numbers.hpp"
 #include "analyzer/program/numbered_blocks.hpp"
 #include "analyzer/program/plain_run.hpp"
+#include "analyzer/source/content.hpp"
 
 #include <algorithm>
 
@@ -33,7 +34,7 @@ class Language {
     static constexpr auto find_parse_error = dinplus::find_parse_error;
 
     Language(const Source& source, const ControlModel& control, ProgramFile& file)
-        : text_(source.bytes())
+        : text_(without_end_of_file(source.bytes()))
         , file_(file)
         , programs_(source, control, file)
         , lowering_(file.syntax_errors) {}

@@ -7,8 +7,10 @@
 #include "analyzer/dialect/fanuc/kinds.hpp"
 #include "analyzer/dialect/fanuc/letter_o.hpp"
 #include "analyzer/dialect/fanuc/lexer.hpp"
+#include "analyzer/dialect/fanuc/remarks.hpp"
 #include "analyzer/dialect/fanuc/tables.hpp"
 #include "analyzer/dialect/numbers.hpp"
+#include "analyzer/dialect/wide_signs.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -23,6 +25,11 @@ constexpr std::size_t longest_shown = 60;
 std::string shown(std::string_view text) {
     if (text.size() <= longest_shown) return std::string(text);
     return std::string(text.substr(0, longest_shown)) + "...";
+}
+
+/// `WH[` is WHILE: both letters are enough for the control.
+bool begins_condition(std::string_view word, const Token* next) {
+    return word == "WH" && next != nullptr && next->kind == TokenKind::open;
 }
 
 /// The tokens of a block and questions about them.
@@ -50,6 +57,7 @@ class ErrorExplainer {
     [[nodiscard]] std::optional<SyntaxError> missing_address() const;
     [[nodiscard]] std::optional<SyntaxError> bare_remark() const;
     [[nodiscard]] std::optional<SyntaxError> remark() const;
+    [[nodiscard]] std::optional<SyntaxError> wide_sign() const;
 
   private:
     [[nodiscard]] const Token* at(std::size_t index) const {
@@ -126,7 +134,8 @@ bool ErrorExplainer::lacks_value(const Token& token, const Token* next) const {
     const std::string word = capitals(token);
     const auto is_address = [](char c) { return c >= 'A' && c <= 'Z' && c != 'N' && c != 'O'; };
     return word.size() == 2 && word[1] != 'I' && std::ranges::all_of(word, is_address) && !is_keyword(word) &&
-           gives_value(next) && next->kind != TokenKind::letters && token.span.end == next->span.begin;
+           !begins_condition(word, next) && gives_value(next) && next->kind != TokenKind::letters &&
+           token.span.end == next->span.begin;
 }
 
 bool ErrorExplainer::gives_value(const Token* token) const {
@@ -236,6 +245,7 @@ bool ErrorExplainer::is_known(const Token& token, const Token* next, int depth) 
     if (word.size() == 1) return true;
     if (!split_keywords(word).empty()) return true;
     const std::string_view after_first = std::string_view(word).substr(1);
+    if (begins_condition(word, next)) return true;
     const bool value_follows = depth == 0 && gives_value(next);
     // An address before a function, a label after GOTO: XSIN[30], GOTON800.
     if (value_follows && (is_function(after_first) || word.ends_with("GOTON") || word.ends_with("GOTOO")))
@@ -283,7 +293,7 @@ bool ErrorExplainer::has_word(std::string_view keyword) const {
 }
 
 std::optional<SyntaxError> ErrorExplainer::symbolic_comparison() const {
-    if (!has_word("IF") && !has_word("WHILE")) return std::nullopt;
+    if (!has_word("IF") && !has_word("WHILE") && !has_word("WH")) return std::nullopt;
     for (const Token& token : code()) {
         if (token.kind != TokenKind::comparison) continue;
         const std::string_view sign = text(token);
@@ -418,7 +428,8 @@ bool ErrorExplainer::is_prose() const {
     });
 }
 
-/// Text after `//`, or after a `;` within the line, which ends a block here and begins a remark elsewhere.
+/// Text after `//`, after `#`, or after a `;` within the line, which ends a block here and begins a remark
+/// elsewhere.
 std::optional<SyntaxError> ErrorExplainer::bare_remark() const {
     std::size_t first = 0;
     if (tokens_.size() > 1 && capitals(tokens_[0]) == "N" && tokens_[1].kind == TokenKind::number) first = 2;
@@ -427,6 +438,8 @@ std::optional<SyntaxError> ErrorExplainer::bare_remark() const {
     Span sign{before, before};
     if (before > 0 && text_[before - 1] == ';')
         sign.begin = before - 1;
+    else if (begins_sharp_remark(text_, block_.begin))
+        sign = {block_.begin, block_.begin + 1};
     else if (first + 1 < tokens_.size() && text(tokens_[first]) == "/" && text(tokens_[first + 1]) == "/")
         sign = join(tokens_[first].span, tokens_[first + 1].span);
     if (sign.empty() || !is_prose()) return std::nullopt;
@@ -462,6 +475,18 @@ std::optional<SyntaxError> ErrorExplainer::remark() const {
     const Span all{tokens_.front().span.begin, tokens_.back().span.end};
     return make(SyntaxErrorKind::unreadable, all, text_.substr(all.begin, all.length()),
                 "( ) around a remark");
+}
+
+std::optional<SyntaxError> ErrorExplainer::wide_sign() const {
+    for (const Token& token : code()) {
+        const auto sign =
+            token.kind == TokenKind::other ? wide_sign_at(text_, token.span.begin) : std::nullopt;
+        if (!sign) continue;
+        const Span span{token.span.begin, token.span.begin + static_cast<Offset>(sign->length)};
+        return make(SyntaxErrorKind::wide_sign, span, text_.substr(span.begin, span.length()),
+                    std::string(1, sign->meant));
+    }
+    return std::nullopt;
 }
 
 /// The first node of the tree that stands for an error.
@@ -527,7 +552,7 @@ bool is_bare_remark(std::string_view text, Span block) {
 std::optional<SyntaxError> find_cause(std::string_view text, Span block) {
     const ErrorExplainer explainer(text, block);
     for (const auto cause :
-         {&ErrorExplainer::bare_remark, &ErrorExplainer::remark, &ErrorExplainer::parenthesis_as_bracket,
+         {&ErrorExplainer::bare_remark, &ErrorExplainer::remark, &ErrorExplainer::wide_sign, &ErrorExplainer::parenthesis_as_bracket,
           &ErrorExplainer::bracket_mismatch, &ErrorExplainer::letter_o, &ErrorExplainer::decimal_comma,
           &ErrorExplainer::sharp_without_number, &ErrorExplainer::unknown_keyword,
           &ErrorExplainer::symbolic_comparison, &ErrorExplainer::missing_value,

@@ -62,10 +62,6 @@ constexpr Foreign foreign_words[] = {
     {"ENDIF", "", in_place_of_block_if},
 };
 
-bool is_foreign(std::string_view capitals) {
-    return std::ranges::find(foreign_words, capitals, &Foreign::word) != std::end(foreign_words);
-}
-
 bool holds(std::span<const std::string_view> words, std::string_view word) {
     return std::ranges::find(words, word) != words.end();
 }
@@ -89,6 +85,10 @@ bool is_function(std::string_view capitals) {
     return std::ranges::find(functions(), capitals, &FunctionRow::name) != functions().end();
 }
 
+bool is_word_elsewhere(std::string_view capitals) {
+    return std::ranges::find(foreign_words, capitals, &Foreign::word) != std::end(foreign_words);
+}
+
 bool is_operator_word(std::string_view capitals) { return holds(operator_words, capitals); }
 
 bool is_keyword(std::string_view capitals) {
@@ -105,7 +105,7 @@ std::string_view comparison_word(std::string_view sign) {
 }
 
 std::vector<std::string_view> split_keywords(std::string_view capitals) {
-    if (is_foreign(capitals)) return {}; // ENDWHILE
+    if (is_word_elsewhere(capitals)) return {}; // ENDWHILE
     // reach[i]: length of the keyword that ends at i and joins a row of keywords from the start, 0 for none.
     std::vector<std::uint8_t> reach(capitals.size() + 1, 0);
     for (std::size_t end = 1; end <= capitals.size(); ++end) {
@@ -127,6 +127,13 @@ std::vector<std::string_view> split_keywords(std::string_view capitals) {
     }
     std::ranges::reverse(words);
     return words;
+}
+
+bool is_for_people(std::string_view capitals) {
+    constexpr std::size_t shortest = 3; // bytes, as many as a character of Chinese takes
+    if (capitals.size() < shortest || is_keyword(capitals) || is_word_elsewhere(capitals)) return false;
+    if (is_function(capitals.substr(1)) || !split_keywords(capitals).empty()) return false; // XSIN[30]
+    return split_keywords(capitals.substr(0, capitals.size() - 1)).empty();                 // THENG1, GOTON10
 }
 
 Misspelling explain(std::string_view capitals) {

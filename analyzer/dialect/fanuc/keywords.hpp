@@ -25,6 +25,13 @@ constexpr std::string_view in_place_of_block_if = "THEN takes one statement in i
                                                   "no ELSE or ENDIF. To skip several blocks, let IF "
                                                   "and GOTO jump over them";
 
+/// ENDIF, RETURN, GTE: what other languages have, or people expect.
+[[nodiscard]] bool is_word_elsewhere(std::string_view capitals);
+
+/// Whether a word, of capitals and bytes that are not ASCII, is one that no control could mean: three letters
+/// or more that are no keywords, as in remarks.
+[[nodiscard]] bool is_for_people(std::string_view capitals);
+
 /// What somebody meant who wrote a word that is none.
 struct Misspelling {
     bool known;        ///< a word of other languages, or close to a keyword

@@ -13,6 +13,7 @@
 #include "analyzer/dialect/numbers.hpp"
 #include "analyzer/program/builder.hpp"
 #include "analyzer/program/plain_run.hpp"
+#include "analyzer/source/content.hpp"
 
 #include <algorithm>
 #include <array>
@@ -55,7 +56,7 @@ class Family {
 
     Family(const Source& source, const ControlModel& control, ProgramFile& file)
         : source_(source)
-        , text_(source.bytes())
+        , text_(without_end_of_file(source.bytes()))
         , control_(control)
         , file_(file)
         , codes_(codes_of(control))

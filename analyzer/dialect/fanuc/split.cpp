@@ -2,6 +2,7 @@
 #include "analyzer/dialect/fanuc/split.hpp"
 
 #include "analyzer/dialect/fanuc/lexer.hpp"
+#include "analyzer/dialect/fanuc/remarks.hpp"
 #include "analyzer/dialect/numbers.hpp"
 #include "analyzer/source/encoding.hpp"
 
@@ -128,6 +129,20 @@ bool holds_blocks(std::string_view text) {
     return false;
 }
 
+/// Nobody writes a remark behind more than that.
+constexpr Offset longest_line_of_people = 1024;
+
+bool is_in_remark(std::string_view text, const RawBlock& block, Offset at) {
+    return text[at] == ';' && !block.comments.empty() &&
+           is_in_nested_remark(text, block.comments.back().begin, at);
+}
+
+/// Takes all up to the end of the line as code.
+void take_line(std::string_view text, RawBlock& block) {
+    block.span.end = block.next = line_end(text, block.span.begin);
+    block.code = block.span.length();
+}
+
 } // namespace
 
 Offset skip_blanks(std::string_view text, Offset at) {
@@ -150,8 +165,14 @@ void cut_block(std::string_view text, Offset begin, Reading program_behind_end, 
         const std::optional<Token> token = lexer.next();
         if (!token) return;
         const Span span = token->span;
-        if (token->kind == Token::Kind::end_of_block) {
+        if (token->kind == Token::Kind::end_of_block && !is_in_remark(text, block, span.begin)) {
             block.next = span.end;
+            return;
+        }
+        if (token->kind == Token::Kind::sharp && block.code < longest_line_of_people &&
+            begins_sharp_remark(text, span.begin)) {
+            block.next = span.begin;
+            if (span.begin == first) take_line(text, block);
             return;
         }
         if (token->kind == Token::Kind::comment) {
