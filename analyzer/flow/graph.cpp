@@ -3,6 +3,7 @@
 
 #include "analyzer/program/block_view.hpp"
 #include "analyzer/program/overloaded.hpp"
+#include "analyzer/flow/unavoidable_nodes.hpp"
 #include "analyzer/program/tables.hpp"
 
 #include <algorithm>
@@ -144,7 +145,7 @@ class Building {
     void collect_return_targets(EffectId id, const Call& call) {
         if (program_.control->calls[call.kind].trigger != CallTrigger::once) return;
         ReturnTargets paths = returns_(id);
-        if (paths.to_next_block && paths.labels == nullptr) return;
+        if (paths.to_next_block && paths.labels == nullptr && paths.alarm == AlarmCall::none) return;
         paths.to_next_block |= !surely_runs(program_, call);
         if (paths.labels != nullptr && wanted_lists_.insert(paths.labels.get()).second) {
             // Thousands of short programs may call one that names thousands of labels.
@@ -500,12 +501,30 @@ class Building {
             }
             goes_elsewhere[node] = !paths.to_next_block && all_there;
         }
+        find_unavoidable_calls();
+        for (const auto& [node, call] : calls_)
+            if (return_targets_.at(call).alarm == AlarmCall::always && graph_.has_unavoidable_call(node))
+                goes_elsewhere[node] = false;
         goes_elsewhere.resize(graph_.nodes.size(), false);
         std::erase_if(graph_.edges, [&](const Edge& edge) {
             return goes_elsewhere[edge.from] && edge.kind != EdgeKind::resume &&
                    edge.kind != EdgeKind::jump && edge.kind != EdgeKind::pass;
         });
         std::erase_if(graph_.exits, [&](const Exit& exit) { return goes_elsewhere[exit.node]; });
+    }
+
+    /// As though all calls came back.
+    void find_unavoidable_calls() {
+        const auto may_alarm = [this](const auto& call) {
+            return return_targets_.at(call.second).alarm != AlarmCall::none;
+        };
+        if (std::ranges::none_of(calls_, may_alarm)) return;
+        const EdgesByNode out(graph_.nodes.size(), graph_.edges, &Edge::from);
+        const auto unavoidable =
+            unavoidable_nodes(graph_.nodes.size(), graph_.edges, out, graph_.exits);
+        for (const auto& call : calls_)
+            if (unavoidable[call.first] && may_alarm(call)) graph_.unavoidable_calls.push_back(call.first);
+        std::ranges::sort(graph_.unavoidable_calls);
     }
 
     /// Whether all labels are there.
@@ -657,6 +676,10 @@ EdgesByNode::EdgesByNode(std::size_t nodes, std::span<const Edge> edges, NodeId 
 std::span<const LabelledBlock> Graph::with_label(const Label& label) const {
     const auto found = std::ranges::equal_range(labels, label, {}, &LabelledBlock::label);
     return {found.begin(), found.end()};
+}
+
+bool Graph::has_unavoidable_call(NodeId node) const {
+    return std::ranges::binary_search(unavoidable_calls, node);
 }
 
 std::span<const Exit> Graph::exits_at(NodeId node) const {

@@ -397,7 +397,7 @@ void Transfer::run_program(State& state, EffectId id, const Call& call) {
     if (records<CallMade>())
         facts_->add(CallMade{node_, id, summary.known, !summary.known || summary.may_stop});
     const bool shared_frame = program_.control->calls[call.kind].frame == Frame::shared;
-    if (!comes_back(state, callee, call)) {
+    if (!comes_back(state, callee, call) && is_made_to_stop(summary)) {
         state.reached = false;
         return;
     }
@@ -429,7 +429,14 @@ void Transfer::run_program(State& state, EffectId id, const Call& call) {
         if (visible(change.variable.space)) change_variable(change.variable, change);
     }
     change_handed_down(state, summary);
+    if (summary.alarm_end.always) return havoc_groups(state, std::nullopt);
     change_groups(state, summary);
+}
+
+/// Whether who calls the program here wants it to stop: the program does nothing else, and another path leads
+/// around the call. A call that is not is taken for one that comes back: what stands behind it counts.
+bool Transfer::is_made_to_stop(const Summary& called) const {
+    return !called.alarm_end.works && !graph_.has_unavoidable_call(node_);
 }
 
 /// A program of which nothing is known may store in what is, or may be, passed by reference.
