@@ -1,9 +1,9 @@
 //! Builds the control-flow graph: nodes in text order, then the edges of jumps, loops and returns.
 #include "analyzer/flow/graph.hpp"
 
+#include "analyzer/flow/unavoidable_nodes.hpp"
 #include "analyzer/program/block_view.hpp"
 #include "analyzer/program/overloaded.hpp"
-#include "analyzer/flow/unavoidable_nodes.hpp"
 #include "analyzer/program/tables.hpp"
 
 #include <algorithm>
@@ -520,8 +520,7 @@ class Building {
         };
         if (std::ranges::none_of(calls_, may_alarm)) return;
         const EdgesByNode out(graph_.nodes.size(), graph_.edges, &Edge::from);
-        const auto unavoidable =
-            unavoidable_nodes(graph_.nodes.size(), graph_.edges, out, graph_.exits);
+        const auto unavoidable = unavoidable_nodes(graph_.nodes.size(), graph_.edges, out, graph_.exits);
         for (const auto& call : calls_)
             if (unavoidable[call.first] && may_alarm(call)) graph_.unavoidable_calls.push_back(call.first);
         std::ranges::sort(graph_.unavoidable_calls);

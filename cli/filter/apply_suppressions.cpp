@@ -213,6 +213,7 @@ class FileSuppressions {
     std::vector<FilteredFinding> apply_suppressions(std::vector<Finding> findings) {
         // Before suppression: who allows what the owner says has not asked to hear the other one.
         drop_yielding(findings, [this](const Finding& finding) { return rules_.of(finding).on; });
+        std::erase_if(findings, &Finding::is_silent);
         report_faults(findings);
         take(std::move(findings));
         suppressions_.start_over();

@@ -32,11 +32,11 @@ class Finder {
         end.always = !returns && std::ranges::all_of(graph_.exits, [this](const flow::Exit& exit) {
             return exit.kind == flow::ExitKind::alarm || !reached_[exit.node];
         });
-        end.by_mistake = end.always && end.works &&
-                         std::ranges::any_of(graph_.exits, [this](const flow::Exit& exit) {
-                             return exit.kind == flow::ExitKind::alarm && reached_[exit.node] &&
-                                    is_fallen_into(graph_, exit, reached_);
-                         });
+        end.by_mistake =
+            end.always && end.works && std::ranges::any_of(graph_.exits, [this](const flow::Exit& exit) {
+                return exit.kind == flow::ExitKind::alarm && reached_[exit.node] &&
+                       is_fallen_into(graph_, exit, reached_);
+            });
         return end;
     }
 

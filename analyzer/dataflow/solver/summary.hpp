@@ -46,8 +46,8 @@ struct AlarmEnd {
 };
 
 struct Summary {
-    bool known = false;       ///< false: the program is not there, everything may change
-    bool returns = true;      ///< at least one path leads back to the block after the call
+    bool known = false;  ///< false: the program is not there, everything may change
+    bool returns = true; ///< at least one path leads back to the block after the call
     AlarmEnd alarm_end;
     bool may_stop = true;     ///< it or what it calls may stop: an alarm, a pause, the program's end
     StopReasons stop_reasons; ///< where it may stop
