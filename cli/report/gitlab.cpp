@@ -13,7 +13,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-std::string_view severity_of(Severity severity) {
+std::string_view quality_of(Severity severity) {
     switch (severity) {
     case Severity::error: return "critical";
     case Severity::warning: return "major";
@@ -31,7 +31,7 @@ class GitlabWriter {
         const Position begin = finding.source->position(finding.span.begin);
         const Position end = finding.source->position(finding.span.end);
         const std::string path = service_path(finding.source->path(), root_);
-        Json issue = issue_of(path, severity_of(finding.severity), printable(finding.message()));
+        Json issue = issue_of(path, quality_of(finding.severity), printable(finding.message()));
         issue["check_name"] = code_with_key(finding);
         issue["fingerprint"] = hash_of(name_of(*finding.source)) + "-" + fingerprints_.of(finding);
         issue["location"]["lines"] = {{"begin", begin.line}, {"end", end.line}};
