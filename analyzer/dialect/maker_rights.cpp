@@ -70,19 +70,26 @@ bool is_year(std::string_view figures) {
                     century == "201" || century == "202" || century == "203");
 }
 
-/// Whether C stands for the sign: a year follows, and a name, not a value and its unit.
+/// The longest run of letters that begins there, behind figures and blanks.
+std::size_t letters_of_next_word(std::string_view words) {
+    const auto first = std::ranges::find_if(words, is_letter);
+    return static_cast<std::size_t>(std::ranges::find_if_not(first, words.end(), is_letter) - first);
+}
+
+/// Whether C stands for the sign: a year follows, and a name. Without its brackets C may be an address, with
+/// a value and a unit.
 bool has_letter_for_sign(std::string_view words) {
-    for (const std::string_view sign : {" (C) ", " C ", " (C ", " C) ", " ((C) ", " (C)"}) {
-        const auto at = words.find(sign);
-        if (at == std::string_view::npos || !is_year(words.substr(at + sign.size()))) continue;
-        std::string_view rest = words.substr(at + sign.size());
-        const auto name = std::ranges::find_if(rest, is_letter);
-        rest.remove_prefix(static_cast<std::size_t>(name - rest.begin()));
-        constexpr std::size_t shortest_name = 3;
-        if (std::ranges::find_if_not(rest, is_letter) - rest.begin() >= static_cast<int>(shortest_name))
-            return true;
-    }
-    return false;
+    struct Sign {
+        std::string_view text;
+        std::size_t shortest_name;
+    };
+    constexpr std::array<Sign, 5> signs{{{"(C) ", 1}, {"(C)", 1}, {" C) ", 1}, {"(C ", 4}, {" C ", 4}}};
+    return std::ranges::any_of(signs, [&](const Sign& sign) {
+        const auto at = words.find(sign.text);
+        if (at == std::string_view::npos) return false;
+        const std::string_view behind = words.substr(at + sign.text.size());
+        return is_year(behind) && letters_of_next_word(behind) >= sign.shortest_name;
+    });
 }
 
 /// The remark that a bracket begins in a text of one line.

@@ -520,10 +520,39 @@ class Building {
         };
         if (std::ranges::none_of(calls_, may_alarm)) return;
         const EdgesByNode out(graph_.nodes.size(), graph_.edges, &Edge::from);
+        const EdgesByNode in(graph_.nodes.size(), graph_.edges, &Edge::to);
         const auto unavoidable = unavoidable_nodes(graph_.nodes.size(), graph_.edges, out, graph_.exits);
         for (const auto& call : calls_)
-            if (unavoidable[call.first] && may_alarm(call)) graph_.unavoidable_calls.push_back(call.first);
+            if (may_alarm(call) && (unavoidable[call.first] || goes_on_with_work(call.first, out, in)))
+                graph_.unavoidable_calls.push_back(call.first);
         std::ranges::sort(graph_.unavoidable_calls);
+    }
+
+    /// Whether the blocks that only the call leads to do work: who wrote them expects it to come back. Jumps,
+    /// ends and flags that are set may stand behind a call that is made to stop.
+    [[nodiscard]] bool goes_on_with_work(NodeId call, const EdgesByNode& out, const EdgesByNode& in) const {
+        constexpr int most_blocks = 16;
+        NodeId node = call;
+        for (int i = 0; i < most_blocks; ++i) {
+            const auto edges = out[node];
+            const bool goes_on = edges.size() == 1 && graph_.edges[edges[0]].kind == EdgeKind::next;
+            if (!goes_on || in[graph_.edges[edges[0]].to].size() != 1) return false;
+            node = graph_.edges[edges[0]].to;
+            if (works(graph_.nodes[node])) return true;
+        }
+        return false;
+    }
+
+    [[nodiscard]] bool works(const Node& node) const {
+        if (node.is_run) return moves(program_, node.stretch());
+        return std::ranges::any_of(program_.effects_in(node.effects), [this](const Effect& effect) {
+            const auto* assign = std::get_if<Assign>(&effect.what);
+            if (assign == nullptr)
+                return std::holds_alternative<Motion>(effect.what) ||
+                       std::holds_alternative<ToolChange>(effect.what) ||
+                       std::holds_alternative<Call>(effect.what);
+            return std::holds_alternative<Apply>(program_.expressions[assign->value].node);
+        });
     }
 
     /// Whether all labels are there.

@@ -128,7 +128,7 @@ std::optional<AlarmReached> nearest_alarm(const ProgramAnalysis& analysis, const
     return AlarmReached{&analysis, *end.stop, text, search.path_to(*node)};
 }
 
-/// Where the program can still come back, for some call.
+/// Where the program can still come back, whatever it is called with.
 std::vector<bool> nodes_that_return(const ProgramAnalysis& analysis) {
     std::vector<flow::NodeId> exits;
     std::vector<bool> returns(analysis.graph().nodes.size(), false);
@@ -137,8 +137,7 @@ std::vector<bool> nodes_that_return(const ProgramAnalysis& analysis) {
             returns[exit.node] = true;
             exits.push_back(exit.node);
         }
-    flow::walk<flow::Direction::backward>(analysis.graph(), exits, [&](flow::EdgeId edge, flow::NodeId from) {
-        if (!analysis.data().passable(edge)) return flow::Step::refuse;
+    flow::walk<flow::Direction::backward>(analysis.graph(), exits, [&](flow::EdgeId, flow::NodeId from) {
         returns[from] = true;
         return flow::Step::go_on;
     });
@@ -212,9 +211,8 @@ class Finder {
     [[nodiscard]] bool is_made_to_stop(const CallBegun& begun, const ProgramAnalysis& called) const {
         const Call& call = call_of(analysis_.program(), begun.effect);
         if (analysis_.control().calls[call.kind].trigger != CallTrigger::once) return false;
-        const dataflow::AlarmEnd& end = called.summary().alarm_end;
-        const bool only_stops = end.always ? !end.by_mistake : !end.works;
-        return only_stops && !analysis_.graph().has_unavoidable_call(begun.node);
+        return called.summary().alarm_end.is_for_stopping() &&
+               !analysis_.graph().has_unavoidable_call(begun.node);
     }
 
     const std::optional<AlarmedCall>& follow(const ProgramAnalysis& called, const KnownStart& start) {
@@ -230,7 +228,7 @@ class Finder {
 
     static std::optional<AlarmedCall> end_of(const ProgramAnalysis& called, const KnownStart& start) {
         const dataflow::AlarmEnd& end = called.summary().alarm_end;
-        if (end.always) {
+        if (end.in_text) {
             auto alarm = nearest_alarm(called, Edges(called), 0, most_levels);
             if (!alarm) return std::nullopt;
             const AlarmReason reason = end.by_mistake ? AlarmReason::fallen_in : AlarmReason::always;

@@ -305,8 +305,9 @@ class WorkspaceBuilder {
             const CallSite* site = analysis.call_at(call);
             if (site == nullptr || !site->target) return flow::ReturnTargets{summary.returns};
             if (site->in_cycle) return flow::ReturnTargets{true, named_in_cycles_.at(*site->target)};
-            return flow::ReturnTargets{summary.returns || summary.alarm_end.by_mistake, summary.resume_labels,
-                                       alarm_call_of(summary)};
+            const dataflow::AlarmEnd& end = summary.alarm_end;
+            return flow::ReturnTargets{summary.returns || (end.always && !end.is_for_stopping()),
+                                       summary.resume_labels, alarm_call_of(summary)};
         });
         const bool main = runs_on_its_own(analysis);
         analysis.locals_are_callers_ =

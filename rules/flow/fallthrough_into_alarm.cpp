@@ -5,8 +5,6 @@
 #include "rules/rule.hpp"
 #include "rules/trace.hpp"
 
-#include <vector>
-
 namespace maclint::rules {
 
 namespace {
@@ -50,12 +48,8 @@ namespace {
 
 void check(const ProgramAnalysis& analysis, Reporter& reporter) {
     if (!analysis.summary().alarm_end.by_mistake || queries::knows_callers(analysis)) return;
-    std::vector<bool> reached;
-    for (flow::NodeId node = 0; node < analysis.graph().nodes.size(); ++node)
-        reached.push_back(analysis.data().reached(node));
     for (const flow::Exit& exit : analysis.graph().exits) {
-        if (exit.kind != flow::ExitKind::alarm || !dataflow::is_fallen_into(analysis.graph(), exit, reached))
-            continue;
+        if (exit.kind != flow::ExitKind::alarm || !dataflow::is_fallen_into(analysis.graph(), exit)) continue;
         const Span stop = analysis.program().effects[*exit.effect].span;
         const Span text{stop.begin, analysis.graph().nodes[exit.node].part.end};
         Finding& finding =

@@ -15,6 +15,11 @@ bool is_alarm(const Effect& effect) {
     return stop != nullptr && stop->kind == Stop::Kind::alarm;
 }
 
+/// Whether jumps lead there, whatever variables hold.
+bool is_in_text(const flow::Graph& graph, flow::NodeId node) {
+    return graph.order[node] != flow::Graph::no_order;
+}
+
 class Finder {
   public:
     Finder(const Program& program, const flow::Graph& graph, const Callees& callees,
@@ -25,27 +30,35 @@ class Finder {
         , reached_(reached) {}
 
     AlarmEnd run(bool returns) const {
+        const auto in_text = [this](flow::NodeId node) { return is_in_text(graph_, node); };
+        const auto reached = [this](flow::NodeId node) -> bool { return reached_[node]; };
         AlarmEnd end;
-        end.possible = any_node([this](flow::NodeId node) { return alarms(node); });
+        end.possible = any_node(reached, [this](flow::NodeId node) { return alarms(node); });
+        end.works = any_node(in_text, [this](flow::NodeId node) { return works(node); });
         if (!end.possible) return end;
-        end.works = any_node([this](flow::NodeId node) { return works(node); });
-        end.always = !returns && std::ranges::all_of(graph_.exits, [this](const flow::Exit& exit) {
-            return exit.kind == flow::ExitKind::alarm || !reached_[exit.node];
-        });
+        end.always = !returns && has_only_alarms(reached);
+        end.in_text = end.always && has_only_alarms(in_text);
         end.by_mistake =
-            end.always && end.works && std::ranges::any_of(graph_.exits, [this](const flow::Exit& exit) {
-                return exit.kind == flow::ExitKind::alarm && reached_[exit.node] &&
-                       is_fallen_into(graph_, exit, reached_);
+            end.in_text && end.works && std::ranges::any_of(graph_.exits, [this](const flow::Exit& exit) {
+                return exit.kind == flow::ExitKind::alarm && is_in_text(graph_, exit.node) &&
+                       is_fallen_into(graph_, exit);
             });
         return end;
     }
 
   private:
-    template<class Predicate>
-    [[nodiscard]] bool any_node(const Predicate& predicate) const {
+    template<class Among, class Predicate>
+    [[nodiscard]] bool any_node(const Among& among, const Predicate& predicate) const {
         for (flow::NodeId node = 0; node < graph_.nodes.size(); ++node)
-            if (reached_[node] && predicate(node)) return true;
+            if (among(node) && predicate(node)) return true;
         return false;
+    }
+
+    template<class Among>
+    [[nodiscard]] bool has_only_alarms(const Among& among) const {
+        return std::ranges::all_of(graph_.exits, [&](const flow::Exit& exit) {
+            return exit.kind == flow::ExitKind::alarm || !among(exit.node);
+        });
     }
 
     [[nodiscard]] const AlarmEnd* end_of_call(Id effect) const {
@@ -83,14 +96,14 @@ class Finder {
 
 } // namespace
 
-bool is_fallen_into(const flow::Graph& graph, const flow::Exit& alarm, const std::vector<bool>& reached) {
+bool is_fallen_into(const flow::Graph& graph, const flow::Exit& alarm) {
     constexpr int most_nodes = 16; // from the sequence number to its alarm
     flow::NodeId node = alarm.node;
     for (int i = 0; i < most_nodes; ++i) {
         const auto edges = graph.in[node];
         const auto comes_by = [&](flow::EdgeKind kind) {
             return std::ranges::any_of(edges, [&](flow::EdgeId id) {
-                return graph.edges[id].kind == kind && reached[graph.edges[id].from];
+                return graph.edges[id].kind == kind && is_in_text(graph, graph.edges[id].from);
             });
         };
         const bool is_jumped_to = comes_by(flow::EdgeKind::jump) || comes_by(flow::EdgeKind::computed);

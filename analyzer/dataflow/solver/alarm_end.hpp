@@ -14,7 +14,6 @@ namespace maclint::dataflow {
 
 /// Whether blocks that no jump leads to the alarm of the exit run into it, and a jump leads there as well:
 /// the alarm is one for a test, and the way past it is missing.
-[[nodiscard]] bool is_fallen_into(const flow::Graph& graph, const flow::Exit& alarm,
-                                  const std::vector<bool>& reached);
+[[nodiscard]] bool is_fallen_into(const flow::Graph& graph, const flow::Exit& alarm);
 
 } // namespace maclint::dataflow

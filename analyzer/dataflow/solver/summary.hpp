@@ -40,9 +40,13 @@ struct StopReasons {
 /// How a program comes to an alarm of its own, or of a program that it calls.
 struct AlarmEnd {
     bool possible = false;
-    bool always = false;     ///< on every path, whatever it is called with
+    bool always = false;     ///< on every path, for all calls that are known
+    bool in_text = false;    ///< on every path, whatever it is called with
     bool works = false;      ///< it, or what it calls, moves or changes a tool somewhere
-    bool by_mistake = false; ///< always, after work: blocks run into an alarm that is there for a test
+    bool by_mistake = false; ///< `in_text`, after work: blocks run into an alarm that is there for a test
+
+    /// Whether somebody may call it in order to stop.
+    [[nodiscard]] bool is_for_stopping() const { return in_text ? !by_mistake : !works; }
 };
 
 struct Summary {

@@ -448,7 +448,7 @@ void Transfer::record_begin(const State& state, EffectId id, const Call& call,
 /// Whether who calls the program here wants it to stop: the program does nothing else, and another path leads
 /// around the call. A call that is not is taken for one that comes back: what stands behind it counts.
 bool Transfer::is_made_to_stop(const Summary& called) const {
-    return !called.alarm_end.works && !graph_.has_unavoidable_call(node_);
+    return called.alarm_end.is_for_stopping() && !graph_.has_unavoidable_call(node_);
 }
 
 /// A program of which nothing is known may store in what is, or may be, passed by reference.
