@@ -501,9 +501,9 @@ class Building {
             }
             goes_elsewhere[node] = !paths.to_next_block && all_there;
         }
-        find_unavoidable_calls();
+        find_expected_returns();
         for (const auto& [node, call] : calls_)
-            if (return_targets_.at(call).alarm == AlarmCall::always && graph_.has_unavoidable_call(node))
+            if (return_targets_.at(call).alarm == AlarmCall::always && graph_.expects_return(node))
                 goes_elsewhere[node] = false;
         goes_elsewhere.resize(graph_.nodes.size(), false);
         std::erase_if(graph_.edges, [&](const Edge& edge) {
@@ -514,7 +514,7 @@ class Building {
     }
 
     /// As though all calls came back.
-    void find_unavoidable_calls() {
+    void find_expected_returns() {
         const auto may_alarm = [this](const auto& call) {
             return return_targets_.at(call.second).alarm != AlarmCall::none;
         };
@@ -524,8 +524,8 @@ class Building {
         const auto unavoidable = unavoidable_nodes(graph_.nodes.size(), graph_.edges, out, graph_.exits);
         for (const auto& call : calls_)
             if (may_alarm(call) && (unavoidable[call.first] || goes_on_with_work(call.first, out, in)))
-                graph_.unavoidable_calls.push_back(call.first);
-        std::ranges::sort(graph_.unavoidable_calls);
+                graph_.returns_expected.push_back(call.first);
+        std::ranges::sort(graph_.returns_expected);
     }
 
     /// Whether the blocks that only the call leads to do work: who wrote them expects it to come back. Jumps,
@@ -706,9 +706,7 @@ std::span<const LabelledBlock> Graph::with_label(const Label& label) const {
     return {found.begin(), found.end()};
 }
 
-bool Graph::has_unavoidable_call(NodeId node) const {
-    return std::ranges::binary_search(unavoidable_calls, node);
-}
+bool Graph::expects_return(NodeId node) const { return std::ranges::binary_search(returns_expected, node); }
 
 std::span<const Exit> Graph::exits_at(NodeId node) const {
     const auto found = std::ranges::equal_range(exits, node, {}, &Exit::node);

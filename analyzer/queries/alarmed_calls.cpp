@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <limits>
 #include <optional>
+#include <string_view>
 #include <unordered_map>
 #include <unordered_set>
 #include <utility>
@@ -201,6 +202,8 @@ class Finder {
                 found.push_back(*end);
                 found.back().node = begun.node;
                 found.back().call = begun.effect;
+                if (is_out_of_order(begun.effect, found.back()))
+                    found.back().reason = AlarmReason::out_of_order;
             }
         }
         std::ranges::sort(found, {}, &AlarmedCall::call);
@@ -211,8 +214,24 @@ class Finder {
     [[nodiscard]] bool is_made_to_stop(const CallBegun& begun, const ProgramAnalysis& called) const {
         const Call& call = call_of(analysis_.program(), begun.effect);
         if (analysis_.control().calls[call.kind].trigger != CallTrigger::once) return false;
-        return called.summary().alarm_end.is_for_stopping() &&
-               !analysis_.graph().has_unavoidable_call(begun.node);
+        return called.summary().alarm_end.is_for_stopping() && !analysis_.graph().expects_return(begun.node);
+    }
+
+    /// Whether the call writes the letter of a variable that is vacant all the same: I behind K is a second
+    /// I.
+    [[nodiscard]] bool is_out_of_order(EffectId effect, const AlarmedCall& alarmed) const {
+        const auto arguments = analysis_.program().arguments_of(call_of(analysis_.program(), effect));
+        const ControlModel& control = alarmed.called->control();
+        return std::ranges::any_of(alarmed.vacant, [&](Variable variable) {
+            const auto formal = std::ranges::find(control.formals, variable) - control.formals.begin();
+            const auto place = static_cast<std::size_t>(formal);
+            return place < control.formal_letters.size() &&
+                   std::ranges::any_of(arguments, [&](const Argument& argument) {
+                       const auto* given = std::get_if<Variable>(&argument.given);
+                       return given != nullptr && *given != variable &&
+                              argument.address == std::string_view(&control.formal_letters[place], 1);
+                   });
+        });
     }
 
     const std::optional<AlarmedCall>& follow(const ProgramAnalysis& called, const KnownStart& start) {

@@ -17,9 +17,10 @@ struct AlarmReached {
 };
 
 enum class AlarmReason : std::uint8_t {
-    left_out,  ///< for what the call leaves out, or passes vacant
-    fallen_in, ///< whatever the call passes: blocks run into an alarm that is there for a test
-    always,    ///< whatever the call passes
+    left_out,     ///< for what the call leaves out, or passes vacant
+    out_of_order, ///< for a letter that it passes behind a later one of its kind, where it counts as another
+    fallen_in,    ///< whatever the call passes: blocks run into an alarm that is there for a test
+    always,       ///< whatever the call passes
 };
 
 struct AlarmedCall {
@@ -27,12 +28,14 @@ struct AlarmedCall {
     EffectId call;
     const ProgramAnalysis* called;
     AlarmReason reason;
-    std::vector<Variable> vacant; ///< for `left_out`: what conditions on the path ask for, as far as is seen
+    std::vector<Variable>
+        vacant; ///< for the first two: what conditions on the path ask for, as far as is seen
     AlarmReached alarm;
 };
 
 /// In text order, each call once. Only what is vacant decides, numbers do not. Calls that are made to raise
-/// the alarm are none: another path leads around them, and the program does nothing else.
+/// the alarm are none: another path leads around them, no work stands behind them that only they lead to, and
+/// their program does nothing else.
 [[nodiscard]] std::vector<AlarmedCall> find_alarmed_calls(const ProgramAnalysis& analysis);
 
 } // namespace maclint::queries

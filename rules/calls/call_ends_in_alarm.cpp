@@ -1,12 +1,10 @@
 //! MAC470: a call whose program comes to its own alarm, whatever happens.
 #include "analyzer/dataflow/facts/call_begun.hpp"
-#include "analyzer/dialect/ascii.hpp"
 #include "analyzer/queries/alarmed_calls.hpp"
 #include "rules/path.hpp"
 #include "rules/rule.hpp"
 #include "rules/trace.hpp"
 
-#include <algorithm>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -98,21 +96,10 @@ std::string names_of(const queries::AlarmedCall& call) {
     return names;
 }
 
-/// Whether the call writes such a letter, which sets another variable there.
-bool is_out_of_order(const ProgramAnalysis& analysis, const queries::AlarmedCall& call) {
-    const std::string text =
-        in_capitals(analysis.program().slice(analysis.program().effects[call.call].span));
-    return std::ranges::any_of(std::string_view("IJK"), [&](char letter) {
-        const std::string name = std::string("(") + letter + ")";
-        return names_of(call).find(name) != std::string::npos && text.find(letter) != std::string::npos;
-    });
-}
-
-std::string_view message_for(const ProgramAnalysis& analysis, const queries::AlarmedCall& call) {
+std::string_view message_for(const queries::AlarmedCall& call) {
     switch (call.reason) {
-    case queries::AlarmReason::left_out:
-        if (call.vacant.empty()) return "vacant";
-        return is_out_of_order(analysis, call) ? "order" : "left-out";
+    case queries::AlarmReason::left_out: return call.vacant.empty() ? "vacant" : "left-out";
+    case queries::AlarmReason::out_of_order: return "order";
     case queries::AlarmReason::fallen_in: return "fallen-in";
     case queries::AlarmReason::always: break;
     }
@@ -132,7 +119,7 @@ void check(const ProgramAnalysis& analysis, Reporter& reporter) {
         const Span span = program.effects[call.call].span;
         const ProgramAnalysis& stopping = *call.alarm.program;
         const std::string alarm = quoted(stopping.program(), call.alarm.text);
-        Finding& finding = reporter.report({analysis, call.call}, span, message_for(analysis, call),
+        Finding& finding = reporter.report({analysis, call.call}, span, message_for(call),
                                            {quoted(program, span), names_of(call), stopping.program().name,
                                             alarm, line_number(stopping.file(), call.alarm.text.begin)});
         trace(finding, analysis, call.node, "calls " + call.called->program().name);

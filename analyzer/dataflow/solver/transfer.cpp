@@ -445,10 +445,10 @@ void Transfer::record_begin(const State& state, EffectId id, const Call& call,
     facts_->add(CallBegun{node_, id, std::move(start)});
 }
 
-/// Whether who calls the program here wants it to stop: the program does nothing else, and another path leads
-/// around the call. A call that is not is taken for one that comes back: what stands behind it counts.
+/// Whether who calls the program here wants it to stop. Any other call is taken for one that comes back: what
+/// stands behind it counts.
 bool Transfer::is_made_to_stop(const Summary& called) const {
-    return called.alarm_end.is_for_stopping() && !graph_.has_unavoidable_call(node_);
+    return called.alarm_end.is_for_stopping() && !graph_.expects_return(node_);
 }
 
 /// A program of which nothing is known may store in what is, or may be, passed by reference.
