@@ -13,6 +13,7 @@ enum class NoticeKind : std::uint8_t {
     left_out,        ///< something was not looked at, on purpose
     nothing_checked, ///< there was no program, and --error-on-empty wants one
     baseline,        ///< how the findings differ from those known, or what became of the file
+    vendor,          ///< what is found in a maker's programs was left out
     origin,          ///< a configuration that holds is of another user, or from above the repository
 };
 

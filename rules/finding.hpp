@@ -76,6 +76,8 @@ struct Finding {
     /// stands alone.
     std::string same_cause = {};
     std::vector<RelatedLocation> repeats = {}; ///< the other places of that cause, in text order
+    /// It only keeps what yields to it from being told.
+    bool is_silent = false;
     std::string_view alarm = {}; ///< number of the alarm that the control raises here; empty: none known
 
     /// Adds the fix after those that are there, unless it changes nothing, or the same bytes twice.

@@ -73,7 +73,9 @@
     RULE(missing_m99)                           /* MAC456 */ \
     RULE(end_in_subprogram)                     /* MAC457 */ \
     RULE(unreachable_code)                      /* MAC460 */ \
+    RULE(fallthrough_into_alarm)                /* MAC461 */ \
     RULE(duplicate_sequence_number)             /* MAC462 */ \
+    RULE(call_ends_in_alarm)                    /* MAC470 */ \
     RULE(modal_state_not_restored)              /* MAC501 */ \
     RULE(compensation_or_transform_left_active) /* MAC502 */ \
     RULE(feed_or_speed_not_restored)            /* MAC503 */ \

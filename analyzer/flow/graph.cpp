@@ -1,6 +1,7 @@
 //! Builds the control-flow graph: nodes in text order, then the edges of jumps, loops and returns.
 #include "analyzer/flow/graph.hpp"
 
+#include "analyzer/flow/unavoidable_nodes.hpp"
 #include "analyzer/program/block_view.hpp"
 #include "analyzer/program/overloaded.hpp"
 #include "analyzer/program/tables.hpp"
@@ -144,7 +145,7 @@ class Building {
     void collect_return_targets(EffectId id, const Call& call) {
         if (program_.control->calls[call.kind].trigger != CallTrigger::once) return;
         ReturnTargets paths = returns_(id);
-        if (paths.to_next_block && paths.labels == nullptr) return;
+        if (paths.to_next_block && paths.labels == nullptr && paths.alarm == AlarmCall::none) return;
         paths.to_next_block |= !surely_runs(program_, call);
         if (paths.labels != nullptr && wanted_lists_.insert(paths.labels.get()).second) {
             // Thousands of short programs may call one that names thousands of labels.
@@ -500,12 +501,58 @@ class Building {
             }
             goes_elsewhere[node] = !paths.to_next_block && all_there;
         }
+        find_expected_returns();
+        for (const auto& [node, call] : calls_)
+            if (return_targets_.at(call).alarm == AlarmCall::always && graph_.expects_return(node))
+                goes_elsewhere[node] = false;
         goes_elsewhere.resize(graph_.nodes.size(), false);
         std::erase_if(graph_.edges, [&](const Edge& edge) {
             return goes_elsewhere[edge.from] && edge.kind != EdgeKind::resume &&
                    edge.kind != EdgeKind::jump && edge.kind != EdgeKind::pass;
         });
         std::erase_if(graph_.exits, [&](const Exit& exit) { return goes_elsewhere[exit.node]; });
+    }
+
+    /// As though all calls came back.
+    void find_expected_returns() {
+        const auto may_alarm = [this](const auto& call) {
+            return return_targets_.at(call.second).alarm != AlarmCall::none;
+        };
+        if (std::ranges::none_of(calls_, may_alarm)) return;
+        const EdgesByNode out(graph_.nodes.size(), graph_.edges, &Edge::from);
+        const EdgesByNode in(graph_.nodes.size(), graph_.edges, &Edge::to);
+        const auto unavoidable = unavoidable_nodes(graph_.nodes.size(), graph_.edges, out, graph_.exits);
+        for (const auto& call : calls_)
+            if (may_alarm(call) && (unavoidable[call.first] || goes_on_with_work(call.first, out, in)))
+                graph_.returns_expected.push_back(call.first);
+        std::ranges::sort(graph_.returns_expected);
+    }
+
+    /// Whether the blocks that only the call leads to do work: who wrote them expects it to come back. Jumps,
+    /// ends and flags that are set may stand behind a call that is made to stop.
+    [[nodiscard]] bool goes_on_with_work(NodeId call, const EdgesByNode& out, const EdgesByNode& in) const {
+        constexpr int most_blocks = 16;
+        NodeId node = call;
+        for (int i = 0; i < most_blocks; ++i) {
+            const auto edges = out[node];
+            const bool goes_on = edges.size() == 1 && graph_.edges[edges[0]].kind == EdgeKind::next;
+            if (!goes_on || in[graph_.edges[edges[0]].to].size() != 1) return false;
+            node = graph_.edges[edges[0]].to;
+            if (works(graph_.nodes[node])) return true;
+        }
+        return false;
+    }
+
+    [[nodiscard]] bool works(const Node& node) const {
+        if (node.is_run) return moves(program_, node.stretch());
+        return std::ranges::any_of(program_.effects_in(node.effects), [this](const Effect& effect) {
+            const auto* assign = std::get_if<Assign>(&effect.what);
+            if (assign == nullptr)
+                return std::holds_alternative<Motion>(effect.what) ||
+                       std::holds_alternative<ToolChange>(effect.what) ||
+                       std::holds_alternative<Call>(effect.what);
+            return std::holds_alternative<Apply>(program_.expressions[assign->value].node);
+        });
     }
 
     /// Whether all labels are there.
@@ -658,6 +705,8 @@ std::span<const LabelledBlock> Graph::with_label(const Label& label) const {
     const auto found = std::ranges::equal_range(labels, label, {}, &LabelledBlock::label);
     return {found.begin(), found.end()};
 }
+
+bool Graph::expects_return(NodeId node) const { return std::ranges::binary_search(returns_expected, node); }
 
 std::span<const Exit> Graph::exits_at(NodeId node) const {
     const auto found = std::ranges::equal_range(exits, node, {}, &Exit::node);

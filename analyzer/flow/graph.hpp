@@ -110,6 +110,9 @@ struct Graph {
     std::vector<std::uint32_t>
         order; ///< place of a node in reverse postorder from the entry; unreached: no_order
     static constexpr std::uint32_t no_order = 0xFFFFFFFF;
+    /// Nodes with a call that may end in an alarm, but that was not made for it: every path through the
+    /// program comes by, or work stands behind it that only the call leads to. Sorted.
+    std::vector<NodeId> returns_expected;
     std::vector<NodeId> with_effects;   ///< nodes that have effects, in the order of these
     std::vector<NodeChannels> channels; ///< of every node; empty for a program of one channel
     Channels all_channels = 1;          ///< of the program; bit 0 where it names none
@@ -130,6 +133,8 @@ struct Graph {
     [[nodiscard]] std::span<const LabelledBlock> with_label(const Label& label) const;
     /// The node in which the effect runs; nothing in parts that are never executed.
     [[nodiscard]] std::optional<NodeId> node_of(EffectId effect) const;
+    /// Whether the node is one of `returns_expected`.
+    [[nodiscard]] bool expects_return(NodeId node) const;
     /// Those where the program may be left after the node.
     [[nodiscard]] std::span<const Exit> exits_at(NodeId node) const;
     /// Edges on a shortest path from `from` to `to`, or nothing when there is none or the search has met
@@ -141,11 +146,19 @@ struct Graph {
 /// Sorted, each once.
 using LabelList = std::vector<Label>;
 
+/// What a call of a program that may end in an alarm is for.
+enum class AlarmCall : std::uint8_t {
+    none,    ///< the program ends in none, or comes back as well
+    perhaps, ///< the program ends in one for some of what it may be given
+    always,  ///< the program always does: a call that was not made for it is taken for one that comes back
+};
+
 /// How a called program may come back.
 struct ReturnTargets {
     bool to_next_block = true;
     /// Of the caller; nullptr: none. One list serves all calls of a program.
     std::shared_ptr<const LabelList> labels = nullptr;
+    AlarmCall alarm = AlarmCall::none;
 };
 using Returns = std::function<ReturnTargets(EffectId call)>;
 

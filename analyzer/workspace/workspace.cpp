@@ -305,7 +305,9 @@ class WorkspaceBuilder {
             const CallSite* site = analysis.call_at(call);
             if (site == nullptr || !site->target) return flow::ReturnTargets{summary.returns};
             if (site->in_cycle) return flow::ReturnTargets{true, named_in_cycles_.at(*site->target)};
-            return flow::ReturnTargets{summary.returns, summary.resume_labels};
+            const dataflow::AlarmEnd& end = summary.alarm_end;
+            return flow::ReturnTargets{summary.returns || (end.always && !end.is_for_stopping()),
+                                       summary.resume_labels, alarm_call_of(summary)};
         });
         const bool main = runs_on_its_own(analysis);
         analysis.locals_are_callers_ =
@@ -319,6 +321,11 @@ class WorkspaceBuilder {
                 program, analysis.regions_, analysis.graph_, *analysis.data_, *cycles);
         }
         analysis.is_macro_ = !main && takes_arguments(analysis);
+    }
+
+    static flow::AlarmCall alarm_call_of(const dataflow::Summary& summary) {
+        if (summary.alarm_end.always && summary.resume_labels == nullptr) return flow::AlarmCall::always;
+        return summary.decides_end.empty() ? flow::AlarmCall::none : flow::AlarmCall::perhaps;
     }
 
     static bool runs_on_its_own(const ProgramAnalysis& analysis) {

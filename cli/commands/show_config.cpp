@@ -1,6 +1,7 @@
 //! One paragraph a file.
 #include "cli/commands/show_config.hpp"
 
+#include "analyzer/dialect/maker_rights.hpp"
 #include "analyzer/program/model.hpp"
 #include "cli/engine/read.hpp"
 #include "cli/suggest.hpp"
@@ -109,6 +110,20 @@ std::string rules_lines(const RuleStates& rules) {
            Changes(rules).lines();
 }
 
+/// Nothing where all findings count.
+std::string vendor_line(const SnapshotFile& file, const ReadFile& read) {
+    const auto withheld = [](const std::string& reason) {
+        return line("vendor code", with_reason("only errors count", reason));
+    };
+    if (file.settings.vendor == VendorCode::whole_file)
+        return withheld(shown(file.settings.configuration->path) + ": vendor");
+    if (file.settings.vendor == VendorCode::none) return "";
+    const auto programs = programs_with_rights(*read.file);
+    if (programs.empty()) return "";
+    return withheld("the remark in line " +
+                    std::to_string(read.source->position(programs.front().remark.begin).line));
+}
+
 ReadFile read(const SnapshotFile& file, ProgramStore& store) {
     auto opened = open_file(file);
     if (auto* notice = std::get_if<Notice>(&opened)) return ReadFile{.notice = std::move(*notice)};
@@ -125,6 +140,7 @@ std::string paragraph(const SnapshotFile& file, const ReadFile& read) {
     out += line("dialect", with_reason(read.dialect->name, read.dialect_reason));
     out += control_line(file, read);
     out += look_ahead_line(read.file->control->functions);
+    out += vendor_line(file, read);
     if (!file.settings.baseline.empty()) out += line("baseline", shown(file.settings.baseline));
     out += line("encoding", std::string(name_of(read.source->stored_encoding())));
     return out + rules_lines(*file.settings.rules);

@@ -49,6 +49,12 @@ struct SeverityEntry {
     Severity severity;
 };
 
+/// An entry of "vendor": "!own/**" says that what matches is no maker's.
+struct VendorEntry {
+    Glob glob;
+    bool is_vendor;
+};
+
 /// One configuration with what it extends.
 struct Configuration {
     std::string path;            ///< as it is shown
@@ -63,6 +69,9 @@ struct Configuration {
     std::vector<SeverityEntry> severity;
     std::vector<PerFileIgnore> per_file_ignores;
     GlobSet ignores_by_glob; ///< in the order of per_file_ignores
+    std::vector<VendorEntry> vendor;
+    GlobSet vendor_by_glob;        ///< in the order of `vendor`
+    bool vendor_by_remarks = true; ///< elsewhere the first remarks of a program tell
     std::optional<Encoding> encoding;
     bool complete = false;
     std::string baseline; ///< path as it is shown, from the working folder; empty: none

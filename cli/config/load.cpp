@@ -39,6 +39,7 @@ class Loader {
         read(path);
         configuration_->folder = folder_of(path);
         configuration_->files_by_glob = globs_of(configuration_->files);
+        configuration_->vendor_by_glob = globs_of(configuration_->vendor);
         configuration_->ignores_by_glob = globs_of(configuration_->per_file_ignores);
         return configuration_;
     }
@@ -51,8 +52,8 @@ class Loader {
     };
 
     /// The keys of the top level.
-    static const std::array<Key, 13>& keys() {
-        static constexpr std::array<Key, 13> rows{{
+    static const std::array<Key, 14>& keys() {
+        static constexpr std::array<Key, 14> rows{{
             {"$schema", &Loader::skip},
             {"extends", &Loader::skip},
             {"controls", &Loader::read_controls},
@@ -64,6 +65,7 @@ class Loader {
             {"severity", &Loader::read_severity},
             {"per-file-ignores", &Loader::read_per_file_ignores},
             {"complete", &Loader::read_complete},
+            {"vendor", &Loader::read_vendor},
             {"encoding", &Loader::read_encoding},
             {"baseline", &Loader::read_baseline},
         }};
@@ -323,6 +325,24 @@ class Loader {
         const auto* value = std::get_if<bool>(&node.value);
         if (value == nullptr) reject(node.span, std::string(key) + " must be true or false. Correct it");
         return *value;
+    }
+
+    /// true: the remarks tell, as without the key.
+    void read_vendor(const JsonNode& node) {
+        if (const auto* value = std::get_if<bool>(&node.value)) {
+            configuration_->vendor_by_remarks = *value;
+            return;
+        }
+        if (!std::holds_alternative<JsonNode::Array>(node.value))
+            reject(node.span, "'vendor' must be a list of globs, or false where no program is a maker's. "
+                              "Correct it");
+        for (const JsonNode& element : array(node, "'vendor'")) {
+            const std::string& pattern = text(element, "an entry of 'vendor'");
+            const bool is_vendor = !pattern.starts_with('!');
+            if (pattern == "!")
+                reject(element.span, "an entry of 'vendor' is '!' alone. Write a glob behind it");
+            configuration_->vendor.push_back({glob(is_vendor ? pattern : pattern.substr(1)), is_vendor});
+        }
     }
 
     void read_encoding(const JsonNode& node) {

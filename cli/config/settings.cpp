@@ -174,6 +174,14 @@ void Settings::say_of_file(const Configuration& configuration, const std::string
     }
 }
 
+/// The last entry of "vendor" that takes the path counts.
+VendorCode Settings::vendor_code(const Configuration* configuration, const std::string& path) {
+    if (configuration == nullptr) return VendorCode::by_remarks;
+    const auto entries = configuration->vendor_by_glob.that_take(path);
+    if (entries.empty()) return configuration->vendor_by_remarks ? VendorCode::by_remarks : VendorCode::none;
+    return configuration->vendor[entries.back()].is_vendor ? VendorCode::whole_file : VendorCode::none;
+}
+
 std::optional<FileSettings> Settings::for_file(const std::string& path) {
     const std::string folder = platform::text_of(platform::path_of(path).parent_path());
     const auto found = for_folder(folder.empty() ? "." : folder);
@@ -196,6 +204,7 @@ std::optional<FileSettings> Settings::for_file(const std::string& path) {
         settings.baseline = overrides_.baseline;
     else if (*found && !overrides_.no_baseline)
         settings.baseline = (*found)->baseline;
+    settings.vendor = overrides_.vendor ? VendorCode::none : vendor_code(found->get(), path);
     settings.complete = overrides_.complete || (*found && (*found)->complete);
     return settings;
 }

@@ -26,11 +26,13 @@ struct Overrides {
         select; ///< empty: the configuration says; else it replaces its select and ignore
     std::vector<std::string> ignore;
     std::vector<std::pair<std::string, Severity>> severity;
-    std::string config_path;  ///< --config; empty: the nearest one upward from each file
-    bool isolated = false;    ///< no configuration at all
-    bool complete = false;    ///< every program of the control is there, whatever the configuration says
-    std::string baseline;     ///< --baseline; empty: the configuration says
-    bool no_baseline = false; ///< none at all
+    std::string config_path;       ///< --config; empty: the nearest one upward from each file
+    bool isolated = false;         ///< no configuration at all
+    bool complete = false;         ///< every program of the control is there, whatever the configuration says
+    std::string baseline;          ///< --baseline; empty: the configuration says
+    bool no_baseline = false;      ///< none at all
+    bool vendor = false;           ///< all findings in a maker's programs count
+    bool named_are_vendor = false; ///< in files that are named, too, warnings and notes in them do not
     std::uintmax_t max_file_size = usual_program_bytes; ///< in bytes; a larger program is not read
 };
 
@@ -42,13 +44,21 @@ struct NamedControl {
     [[nodiscard]] std::string_view language() const { return control->language; }
 };
 
+/// Which programs of a file are taken for a maker's.
+enum class VendorCode : std::uint8_t {
+    none,       ///< none, or somebody wants to see their findings
+    by_remarks, ///< those whose first remarks claim rights
+    whole_file, ///< all: the configuration says so
+};
+
 struct FileSettings {
     std::shared_ptr<const Configuration> configuration; ///< nullptr: none
     const Dialect* dialect = nullptr;                   ///< nullptr: the file's content decides
     std::string dialect_reason;
     std::vector<NamedControl> controls; ///< what counts most comes first; each for files of its language only
     std::shared_ptr<const RuleStates> rules;
-    bool complete = false;                              ///< every program of the control is there
+    bool complete = false; ///< every program of the control is there
+    VendorCode vendor = VendorCode::by_remarks;
     std::string baseline;                               ///< path of the file that knows findings; empty: none
     std::uintmax_t max_file_size = usual_program_bytes; ///< in bytes; a larger file is not read
 };
@@ -63,6 +73,8 @@ class Settings {
 
     /// Nothing when the configuration that holds for the file is wrong; see take_notices.
     [[nodiscard]] std::optional<FileSettings> for_file(const std::string& path);
+    /// Whether warnings and notes in a maker's programs count in files that the user names.
+    [[nodiscard]] bool named_show_all() const { return !overrides_.named_are_vendor; }
     /// The configuration that holds in a folder, or nullptr; nothing when it is wrong.
     [[nodiscard]] std::optional<std::shared_ptr<const Configuration>> for_folder(const std::string& folder);
 
@@ -80,6 +92,7 @@ class Settings {
                                                     const std::string& shown) const;
     static void say_of_file(const Configuration& configuration, const std::string& path,
                             FileSettings& settings);
+    [[nodiscard]] static VendorCode vendor_code(const Configuration* configuration, const std::string& path);
     void note_owner(const std::string& path);
     void note_above(const Configuration& configuration, const std::filesystem::path& folder);
     void note_once(const std::string& path, const std::string& message);

@@ -1,6 +1,7 @@
 //! First all names and calls, then one group of connected files after the other.
 #include "cli/engine/engine.hpp"
 
+#include "analyzer/dialect/maker_rights.hpp"
 #include "analyzer/program/model.hpp"
 #include "analyzer/workspace/groups.hpp"
 #include "analyzer/workspace/parallel.hpp"
@@ -135,10 +136,10 @@ class Run {
         const std::size_t share = files / (2UL * options_.jobs) + 1;
         const auto large = static_cast<std::size_t>(
             std::ranges::count_if(groups, [&](const Group& group) { return group.size() > share; }));
-        std::vector<std::vector<FilteredFinding>> findings(groups.size());
+        std::vector<Checked> checked(groups.size());
         const auto check_one = [&](std::size_t i, unsigned jobs) {
             try {
-                findings[i] = check(groups[i], jobs);
+                checked[i] = check(groups[i], jobs);
             } catch (const std::bad_alloc&) {
                 for (const std::size_t place : groups[i])
                     if (is_linted(place))
@@ -150,7 +151,10 @@ class Run {
         };
         for_each(large, 1, [&](std::size_t i) { check_one(i, options_.jobs); });
         for_each(groups.size() - large, options_.jobs, [&](std::size_t i) { check_one(large + i, 1); });
-        for (auto& part : findings) std::ranges::move(part, std::back_inserter(result_.findings));
+        for (Checked& part : checked) {
+            std::ranges::move(part.findings, std::back_inserter(result_.findings));
+            std::ranges::move(part.vendor, std::back_inserter(result_.vendor));
+        }
         for (std::size_t i = 0; i < seen_.size(); ++i) {
             if (!snapshot_.files[i].input.asked) continue;
             ReadFile& read = seen_[i].read;
@@ -159,16 +163,23 @@ class Run {
         }
     }
 
+    struct Checked {
+        std::vector<FilteredFinding> findings;
+        std::vector<VendorProgram> vendor;
+    };
+
     /// What the rules find in the group's files that were asked for, judged by each file's own settings.
-    std::vector<FilteredFinding> check(const Group& group, unsigned jobs) {
+    Checked check(const Group& group, unsigned jobs) {
         std::vector<std::shared_ptr<const ProgramFile>> held;
         std::vector<WorkspaceFile> members;
         std::vector<FileRules> rules;
         std::vector<Finding> findings;
+        std::vector<VendorProgram> vendor;
         for (const std::size_t i : group) {
             const SnapshotFile& file = snapshot_.files[i];
             const auto programs = held.emplace_back(programs_of(i));
             if (programs == nullptr) continue;
+            if (file.input.asked) add_vendor_programs(*programs, file.settings.vendor, vendor);
             if (file.input.asked) rules.push_back({programs.get(), file.settings.rules.get()});
             if (file.input.asked && file.settings.dialect == nullptr) // whoever names it wants to see all
                 std::ranges::move(other_control(*programs, *seen_[i].read.dialect),
@@ -181,7 +192,17 @@ class Run {
         }
         const Selection selection = selection_of(rules);
         std::ranges::move(find_in(std::move(members), selection, jobs), std::back_inserter(findings));
-        return withhold_misread(apply_suppressions(std::move(findings), rules));
+        return {withhold_misread(apply_suppressions(std::move(findings), rules)), std::move(vendor)};
+    }
+
+    static void add_vendor_programs(const ProgramFile& file, VendorCode code,
+                                    std::vector<VendorProgram>& vendor) {
+        const Source* source = file.source.get();
+        if (code == VendorCode::whole_file)
+            for (const Program& program : file.programs) vendor.push_back({source, program.span});
+        if (code == VendorCode::by_remarks)
+            for (const ProgramWithRights& program : programs_with_rights(file))
+                vendor.push_back({source, program.program});
     }
 
     std::unique_ptr<Workspace> analyse(std::vector<WorkspaceFile> members, WorkspaceOptions options) {

@@ -14,11 +14,18 @@
 
 namespace maclint::cli {
 
+/// A maker's program, whose users will not change it.
+struct VendorProgram {
+    const Source* source; ///< of the findings in it
+    Span text;
+};
+
 struct Result {
     std::vector<FilteredFinding> findings = {}; ///< in the order of reports
     std::vector<Notice> notices = {}; ///< on files that were asked for, in the order of the snapshot
     std::vector<std::shared_ptr<const Source>> sources =
-        {}; ///< of files that were asked for and linted, as above
+        {};                                 ///< of files that were asked for and linted, as above
+    std::vector<VendorProgram> vendor = {}; ///< those whose warnings and notes nobody asked for
     Timing timing = {};
     bool cancelled = false; ///< somebody asked to stop: the rest is empty
 };

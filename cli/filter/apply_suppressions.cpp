@@ -216,6 +216,7 @@ class FileSuppressions {
         });
         // Before suppression: who allows what the owner says has not asked to hear the other one.
         drop_yielding(findings, [this](const Finding& finding) { return rules_.of(finding).on; });
+        std::erase_if(findings, &Finding::is_silent);
         report_faults(findings);
         take(std::move(findings));
         suppressions_.start_over();

@@ -11,11 +11,13 @@
 
 namespace maclint::cli {
 
-/// The comment that allows a finding, or the baseline that knows it: it does not count.
+/// The comment that allows a finding, the baseline that knows it, or the maker whose program it is in: it
+/// does not count.
 struct Suppression {
     Span comment = {};
     std::string reason = {};   ///< UTF-8, may be empty
-    std::string baseline = {}; ///< path; empty: a comment allows the finding
+    std::string baseline = {}; ///< path; empty: a comment allows the finding, or
+    bool vendor = false;       ///< it is a warning or note in a maker's program
 };
 
 struct FilteredFinding {

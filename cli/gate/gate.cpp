@@ -1,6 +1,8 @@
-//! First what is known, of all findings: a baseline must not lose what one run does not show.
+//! First what is known, of all findings: a baseline must not lose what one run does not show. What a maker's
+//! programs hold is left out last.
 #include "cli/gate/gate.hpp"
 
+#include "cli/gate/vendor_code.hpp"
 #include "cli/suggest.hpp"
 #include "rules/rule.hpp"
 
@@ -86,9 +88,12 @@ std::variant<Gate, Notice> Gate::open(const CheckRequest& request, const Snapsho
 
 std::vector<Notice> Gate::judge(const Snapshot& snapshot, Result& result) {
     std::vector<Notice> notices = known_.mark(snapshot, result);
-    if (!changed_) return notices;
-    std::ranges::move(compare(*changed_, result), std::back_inserter(notices));
-    if (auto notice = leave_unchanged_out(result, *changed_, since_)) notices.push_back(*std::move(notice));
+    if (changed_) {
+        std::ranges::move(compare(*changed_, result), std::back_inserter(notices));
+        if (auto notice = leave_unchanged_out(result, *changed_, since_))
+            notices.push_back(*std::move(notice));
+    }
+    if (auto notice = withhold_vendor_code(result)) notices.push_back(*std::move(notice));
     return notices;
 }
 

@@ -22,8 +22,8 @@ class Gate {
 
     [[nodiscard]] bool has_baseline() const { return known_.in_use(); }
 
-    /// Marks findings that are known, then leaves out those that nothing changed at, and says what is worth
-    /// telling.
+    /// Marks findings that are known, then leaves out those that nothing changed at, then marks those of a
+    /// maker's programs, and says what is worth telling.
     [[nodiscard]] std::vector<Notice> judge(const Snapshot& snapshot, Result& result);
 
   private:

@@ -52,6 +52,8 @@ void declare_discovery(CLI::App& check, CheckWords& words) {
         .add_option("--max-file-size", words.max_file_size,
                     "Larger files are an error and are not read: 500M, 2G or bytes (default: 1G)")
         ->type_name("SIZE");
+    check.add_flag("--vendor", words.vendor,
+                   "Warnings and notes in programs of a maker (vendor code) count, too");
     check.add_flag("--error-on-empty", words.error_on_empty, "A run that checks no program is an error");
 }
 
@@ -122,6 +124,8 @@ Overrides overrides_of(const CheckWords& words) {
         refuse("--isolated and --config exclude each other. Leave one out.");
     overrides.config_path = words.config;
     overrides.isolated = words.isolated;
+    overrides.vendor = words.vendor;
+    overrides.named_are_vendor = words.force_exclude; // a commit hook names what it finds
     return overrides;
 }
 

@@ -20,7 +20,8 @@ struct CheckWords {
                         write_baseline, since;
     bool isolated = false, show_config = false, show_files = false, quiet = false, no_timestamps = false,
          timing = false, statistics = false, no_baseline = false, prune_baseline = false,
-         force_exclude = false, no_gitignore = false, follow_links = false, error_on_empty = false;
+         force_exclude = false, no_gitignore = false, follow_links = false, error_on_empty = false,
+         vendor = false;
 };
 
 void declare_check(CLI::App& check, CheckWords& words);

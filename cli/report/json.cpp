@@ -68,6 +68,7 @@ Json json_of(const FilteredFinding& filtered) {
         out["other_fixes"].push_back({{"title", other.title},
                                       {"applicability", name_of(other.applicability)},
                                       {"edits", json_of(other.edits)}});
+    if (is_of_vendor(filtered)) return out;
     if (is_known(filtered))
         out["baseline"] = utf8(filtered.suppressed->baseline);
     else if (filtered.suppressed)
@@ -97,10 +98,12 @@ std::string write_json(const Report& report) {
     Json findings = Json::array();
     Json suppressed = Json::array();
     Json known = Json::array();
+    Json vendor = Json::array();
     for (const FilteredFinding& filtered : report.findings)
-        (is_known(filtered)    ? known
-         : filtered.suppressed ? suppressed
-                               : findings)
+        (is_of_vendor(filtered) ? vendor
+         : is_known(filtered)   ? known
+         : filtered.suppressed  ? suppressed
+                                : findings)
             .push_back(json_of(filtered));
     Json notices = Json::array();
     for (const Notice& notice : report.notices)
@@ -113,6 +116,7 @@ std::string write_json(const Report& report) {
                 {"findings", std::move(findings)},
                 {"suppressed", std::move(suppressed)},
                 {"known", std::move(known)},
+                {"vendor", std::move(vendor)},
                 {"notices", std::move(notices)},
                 {"summary",
                  {{"files", report.files.size()},
@@ -121,6 +125,7 @@ std::string write_json(const Report& report) {
                   {"notes", counts.notes},
                   {"suppressed", counts.suppressed},
                   {"known", counts.known},
+                  {"vendor", counts.vendor},
                   {"not_shown", report.not_shown.size()},
                   {"passed_over",
                    {{"other_names", report.passed_over.other_names},

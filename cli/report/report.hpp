@@ -34,16 +34,21 @@ struct Report {
     bool statistics = false;         ///< numbers by rule and by file are wanted
 };
 
-/// How many findings of each severity count, shown or not; those that comments allow and those that a
-/// baseline knows apart.
+/// How many findings of each severity count, shown or not; those that comments allow, that a baseline knows
+/// and that are vendor code's apart.
 struct Tally {
-    std::size_t errors = 0, warnings = 0, notes = 0, suppressed = 0, known = 0, files = 0;
+    std::size_t errors = 0, warnings = 0, notes = 0, suppressed = 0, known = 0, vendor = 0, files = 0;
 };
 [[nodiscard]] Tally tally(const Report& report);
 
 /// Whether a baseline knows the finding.
 [[nodiscard]] inline bool is_known(const FilteredFinding& filtered) {
     return filtered.suppressed && !filtered.suppressed->baseline.empty();
+}
+
+/// Whether it is withheld because it stands in a maker's program.
+[[nodiscard]] inline bool is_of_vendor(const FilteredFinding& filtered) {
+    return filtered.suppressed && filtered.suppressed->vendor;
 }
 
 enum class Colour : std::uint8_t { plain, coloured };

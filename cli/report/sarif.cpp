@@ -35,7 +35,7 @@ struct NoticeRow {
     std::string_view description;
 };
 
-constexpr std::array<NoticeRow, 7> notice_rows{{
+constexpr std::array<NoticeRow, 8> notice_rows{{
     {NoticeKind::unreadable, "NOTE001", "A file could not be read or written."},
     {NoticeKind::configuration, "NOTE002", "A configuration file is wrong."},
     {NoticeKind::foreign, "NOTE003", "A file is in a language that maclint does not lint."},
@@ -43,6 +43,7 @@ constexpr std::array<NoticeRow, 7> notice_rows{{
     {NoticeKind::nothing_checked, "NOTE005", "No program was checked."},
     {NoticeKind::baseline, "NOTE006", "The findings differ from those that are known."},
     {NoticeKind::origin, "NOTE007", "A configuration is of another user, or from above the repository."},
+    {NoticeKind::vendor, "NOTE008", "Warnings and notes in programs of a maker do not count."},
 }};
 
 /// "jump-into-loop" as SARIF viewers want names: "JumpIntoLoop".
@@ -310,6 +311,10 @@ class SarifWriter {
     /// An empty list says that the finding was looked at and is not suppressed (3.27.23).
     [[nodiscard]] Json suppressions_of(const FilteredFinding& filtered) const {
         if (!filtered.suppressed) return Json::array();
+        if (is_of_vendor(filtered))
+            return Json::array({{{"kind", "external"},
+                                 {"status", "accepted"},
+                                 {"justification", "a program of its maker: vendor code"}}});
         if (is_known(filtered)) {
             const std::string& path = filtered.suppressed->baseline;
             return Json::array(

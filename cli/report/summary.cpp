@@ -13,7 +13,9 @@ Tally tally(const Report& report) {
     for (const auto* findings : {&report.findings, &report.not_shown}) {
         for (const FilteredFinding& filtered : *findings) {
             if (filtered.suppressed) {
-                ++(is_known(filtered) ? tally.known : tally.suppressed);
+                ++(is_of_vendor(filtered) ? tally.vendor
+                   : is_known(filtered)   ? tally.known
+                                          : tally.suppressed);
                 continue;
             }
             const Finding& finding = filtered.finding;

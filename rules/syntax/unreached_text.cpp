@@ -1,7 +1,13 @@
 //! MAC122: text that cannot be read, where no path leads.
 #include "analyzer/queries/unreached_text.hpp"
 
+#include "analyzer/source/encoding.hpp"
+#include "rules/path.hpp"
 #include "rules/rule.hpp"
+
+#include <string>
+#include <utility>
+#include <vector>
 
 namespace maclint::rules {
 
@@ -12,14 +18,27 @@ void check(const ProgramAnalysis& analysis, Reporter& reporter);
 extern const Rule unreached_text{
     .code = "MAC122",
     .name = "unreached-text",
-    .summary = "Text that cannot be read stands where no path leads",
-    .why = "The control passes it by and never stops there. It is a remark without its brackets, or blocks"
-           " that somebody took out of use: an alarm waits for whoever puts them back.",
+    .summary = "A block with a slip of the pen stands where no path leads",
+    .why = "The control passes it by today. When the jump before it is mended, or the blocks are put back, "
+           "an alarm "
+           "waits there. Remarks, separators and text behind the end of the program are nobody's loss.",
     .severity = Severity::note,
-    .precision = Precision::very_high,
-    .messages = {{"plain", "Unreadable text where no path leads: '{0}' is never run.",
-                  "Make it a comment, or delete it."}},
+    .precision = Precision::high,
+    .messages = {{"plain", "Block that no path reaches and the control could not read: in '{0}', {1}.",
+                  "Correct it, or delete it."},
+                 {"passed",
+                  "Block that no path reaches and the control could not read: in '{0}', {1}; '{2}' passes it "
+                  "by mistake.",
+                  "Correct it, and the jump."}},
     .bad = {{"fanuc", R"nc(
+O9122(CHECK)
+IF[#101GT0]GOTO5
+#3000=1(NO LENGTH)
+G91 G28 Z[#101+1
+N5 G0 Z#101
+M30
+)nc"}},
+    .good = {{"fanuc", R"nc(
 O9122(CHECK)
 IF[#101GT0]GOTO5
 #3000=1(NO LENGTH)
@@ -27,26 +46,11 @@ IF[#101GT0]GOTO5
 N5 G0 Z#101
 M30
 )nc"},
-            {"dinplus", R"nc(
-MACHINING
-N10 G0 X100 Z2
-N20 M30
-N30 THN
-END
-)nc"}},
-    .good = {{"fanuc", R"nc(
-O9122(CHECK)
-IF[#101GT0]GOTO5
-#3000=1(NO LENGTH)
-(---------------)
-N5 G0 Z#101
-M30
-)nc"},
              {"dinplus", R"nc(
 MACHINING
 N10 G0 X100 Z2
 N20 M30
-N30 [THN]
+N30 THN
 END
 )nc"}},
     .sources = {"SEED-001:642; T: no control reads on after an alarm"},
@@ -55,10 +59,24 @@ END
 
 namespace {
 
+std::string what_is_wrong(const SyntaxError& error) {
+    const std::string subject = to_utf8(error.subject, detect_encoding(error.subject));
+    if (error.kind == SyntaxErrorKind::bracket_mismatch) return "at '" + subject + "', " + error.cure;
+    if (error.kind == SyntaxErrorKind::missing_value) return "'" + subject + "' has no value";
+    return "'" + subject + "' is wrong";
+}
+
 void check(const ProgramAnalysis& analysis, Reporter& reporter) {
-    for (const auto& [error, region] : queries::unreached_text(analysis))
-        reporter.report({analysis.file(), error->span}, error->span, "plain", {error->subject}).same_cause =
-            std::to_string(region.begin);
+    const Program& program = analysis.program();
+    for (const queries::UnreachedText& text : queries::unreached_text(analysis)) {
+        const SyntaxError& error = *text.error;
+        std::vector<std::string> words{quoted(program, text.block), what_is_wrong(error)};
+        if (text.lost_jump) words.push_back(quoted(program, program.effects[*text.lost_jump].span));
+        Finding& finding = reporter.report({analysis.file(), error.span}, error.span,
+                                           text.lost_jump ? "passed" : "plain", std::move(words));
+        finding.same_cause = std::to_string(text.region.begin);
+        finding.is_silent = !text.is_program_text;
+    }
 }
 
 } // namespace

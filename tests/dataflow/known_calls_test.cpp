@@ -1,6 +1,7 @@
 //! Calls that end in an alarm for what they are given, and those that are taken to come back.
 #include "tests/support/analysed.hpp"
 
+#include <algorithm>
 #include <string>
 
 #include <gtest/gtest.h>
@@ -8,13 +9,27 @@
 namespace maclint {
 namespace {
 
-/// Whether the main program, which makes the call, comes to its end. Nothing else is on the control.
-bool comes_back(const std::string& call, const std::string& called) {
+/// Whether the block M08 of the main program is reached. Nothing else is on the control.
+bool reaches_m08(const std::string& main_text, const std::string& called) {
     const auto workspace =
-        test::analyse_files({{"O0001.nc", "O0001\n" + call + "\nM30\n"}, {"O0002.nc", "O0002\n" + called}},
+        test::analyse_files({{"O0001.nc", "O0001\n" + main_text}, {"O0002.nc", "O0002\n" + called}},
                             {.complete = true, .jobs = 1});
     const ProgramAnalysis& main = workspace->programs().front();
-    return main.data().reached(static_cast<flow::NodeId>(main.graph().nodes.size() - 1));
+    const auto& nodes = main.graph().nodes;
+    const auto m08 = std::ranges::find_if(nodes, [&](const flow::Node& node) {
+        return test::text_of(main, node.part).find("M08") != std::string::npos;
+    });
+    return main.data().reached(static_cast<flow::NodeId>(m08 - nodes.begin()));
+}
+
+/// Whether the main program goes on after the call, which a test leads around: it may be made to stop.
+bool comes_back(const std::string& call, const std::string& called) {
+    return reaches_m08("IF[#501EQ1]GOTO8\n" + call + "\nM08\nN8M30\n", called);
+}
+
+/// The same of a call that every path comes by.
+bool counts_as_coming_back(const std::string& call, const std::string& called) {
+    return reaches_m08(call + "\nM08\nM30\n", called);
 }
 
 const std::string alarm = "#3000=1(WRONG)\n";
@@ -48,8 +63,8 @@ TEST(KnownCalls, EndInAnAlarmForAVacantVariable) {
 }
 
 TEST(KnownCalls, ComeBackWhereverTheCalledProgramIsLeftWithoutAnAlarm) {
-    EXPECT_FALSE(comes_back("#149=260\nG65P2", "IF[#149NE260]GOTO9\n" + alarm + "N9X1.\n"));
-    EXPECT_TRUE(comes_back("#149=5\nG65P2", "IF[#149NE260]GOTO9\n" + alarm + "N9X1.\n")); // runs off its end
+    EXPECT_FALSE(comes_back("#149=260\nG65P2", "IF[#149NE260]GOTO9\n" + alarm + "N9#2=1\n"));
+    EXPECT_TRUE(comes_back("#149=5\nG65P2", "IF[#149NE260]GOTO9\n" + alarm + "N9#2=1\n")); // runs off its end
     EXPECT_TRUE(comes_back("#149=5\nG65P2", "IF[#149EQ260]THEN" + alarm + "M99\n"));
 }
 
@@ -60,6 +75,52 @@ TEST(KnownCalls, ComeBackWhereTheCalledProgramReturnsToALabel) {
     const std::string maybe = "IF[#500EQ1]GOTO9\nIF[#149EQ260]THEN" + alarm + "M99\nN9M99P5\n";
     EXPECT_TRUE(comes_back("#149=260\nG65P2\nM30\nN5", maybe));
     EXPECT_FALSE(comes_back("#149=260\nG65P2\nM30\nN5", alarm + "N9M99P5\n"));
+}
+
+TEST(KnownCalls, ThatEveryPathComesByAreNotMadeToStop) {
+    const std::string called = "IF[#149NE260]GOTO9\n" + alarm + "N9M99\n";
+    EXPECT_TRUE(counts_as_coming_back("#149=260\nG65P2", called));
+    EXPECT_TRUE(counts_as_coming_back("G65P2", alarm));
+    EXPECT_TRUE(counts_as_coming_back("M98P2", "#1=5.\n" + alarm + "M99\n"));
+    EXPECT_FALSE(comes_back("G65P2", alarm));
+    // Around the call leads nothing but an alarm, or another call of the kind.
+    EXPECT_TRUE(reaches_m08("IF[#501EQ1]GOTO9\nG65P2\nM08\nM30\nN9" + alarm, alarm));
+    EXPECT_TRUE(reaches_m08("IF[#501EQ1]GOTO5\nG1Y1.\nN5G65P2\nM08\nM30\n", alarm));
+    EXPECT_FALSE(reaches_m08("IF[#501EQ1]GOTO5\nG65P2\nM08\nN5M30\n", alarm));
+    // A program that ends without an alarm has ended.
+    EXPECT_FALSE(counts_as_coming_back("G65P2", "M30\n"));
+}
+
+TEST(KnownCalls, WithWorkBehindThatOnlyTheyLeadToAreNotMadeToStop) {
+    const auto reaches = [](const std::string& behind) {
+        return reaches_m08("IF[#501EQ1]GOTO8\nG65P2\n" + behind + "M08\nN8M30\n", alarm);
+    };
+    EXPECT_TRUE(reaches("G0X1.\n"));
+    EXPECT_TRUE(reaches("#103=1/0\n"));
+    EXPECT_TRUE(reaches("M5\n#103=#1+1\n"));
+    EXPECT_TRUE(reaches("G65P3\n"));
+    EXPECT_FALSE(reaches(""));
+    EXPECT_FALSE(reaches("#149=#0\n#150=1\n"));
+    EXPECT_FALSE(reaches_m08("IF[#501EQ1]GOTO8\nG65P2\nM08\nN8X1.\nM30\n", alarm)); // others lead there, too
+}
+
+TEST(KnownCalls, OfProgramsThatWorkAreNotMadeToStop) {
+    const std::string moves = "IF[#149NE260]GOTO9\n" + alarm + "N9G0X1.\nM99\n";
+    EXPECT_TRUE(comes_back("#149=260\nG65P2", moves));
+    // It parks the machine and stops, but for no test of its own.
+    EXPECT_FALSE(comes_back("G65P2", "G0Z100.\n" + alarm));
+    // The M99 in front of its alarm is missing.
+    EXPECT_TRUE(comes_back("G65P2", "IF[#1EQ#0]GOTO9\nG0X#1\nN9" + alarm + "M99\n"));
+    EXPECT_TRUE(comes_back("G65P2", "IF[#1EQ#0]GOTO9\nG0X#1\nN9M5\n" + alarm + "M99\n"));
+    // Each test of a helper has an alarm of its own, none of which is run into.
+    EXPECT_FALSE(comes_back("G65P2", "IF[#1EQ#0]GOTO9\nG0Z100.\n#3000=#1\nN9" + alarm));
+}
+
+TEST(KnownCalls, LeaveWhatTheirProgramHasSetWhereItAlwaysAlarms) {
+    const auto workspace = test::analyse_files(
+        {{"O0001.nc", "O0001\nM98P2\n#2=#101\nM30\n"}, {"O0002.nc", "O0002\n#101=5.\n" + alarm}},
+        {.complete = true, .jobs = 1});
+    EXPECT_EQ(test::last_read(workspace->programs().front()).constant(), 5.);
 }
 
 TEST(KnownCalls, AreFollowedThroughLoops) {

@@ -128,11 +128,29 @@ TEST(OneSyntaxError, DinPlusHasItToo) {
 
 // ---- where no path leads
 
-TEST(UnreachedText, IsANoteOneARegion) {
-    EXPECT_THAT(told("O1\nIF[#100GT0]GOTO5\n#3000=1(NO LENGTH)\n-----\nTWPXEQ\n=====\nN5G0X1.\nM30\n"),
-                ElementsAre("4: note MAC122 +5 +6"));
-    EXPECT_THAT(told("O1\nGOTO5\n-----\nN5G0X1.\nGOTO6\n-----\nN6M30\n"),
+TEST(UnreachedText, IsANoteThatNamesTheSlip) {
+    EXPECT_THAT(told("O1\nIF[#100GT0]GOTO5\n#3000=1(NO LENGTH)\n#101=[#102+1\nN5G0X#101\nM30\n"),
+                ElementsAre("4: note MAC122"));
+    EXPECT_THAT(
+        first_message("O1\nIF[#100GT0]GOTO5\n#3000=1(NO LENGTH)\n#101=[#102+1\nN5G0X#101\nM30\n"),
+        "Block that no path reaches and the control could not read: in '#101=[#102+1', at '[', its ']' is "
+        "missing. Correct it, or delete it.");
+    EXPECT_THAT(told("O1\nGOTO5\n#101=[#102+1\nN5G0X1.\nGOTO6\n#102=ABS(#1)\nN6M30\n"),
                 ElementsAre("3: note MAC122", "6: note MAC122"));
+}
+
+TEST(UnreachedText, IsToldWithTheJumpThatPassesItByMistake) {
+    EXPECT_THAT(told("O1\nGOTO77\nG01X[#102*2.Y5.\nGO1X5.\nM30\n"),
+                ElementsAre("2: error MAC301", "3: note MAC122", "4: note MAC122"));
+}
+
+TEST(UnreachedText, IsSilentOnSeparatorsRemarksAndWhatIsPassedOnPurpose) {
+    EXPECT_THAT(told("O1\nIF[#100GT0]GOTO5\nGOTO10\n---------\n=====\n* * *\n...\nN5\nM0\nN10\nM30\n"),
+                IsEmpty());
+    EXPECT_THAT(told("O1\nGOTO5\nTURN THE PART OVER\nTWPXEQ\nN5G0X1.\nM30\n"), IsEmpty());
+    EXPECT_THAT(told("O1\nG0X1.\nM30\n#101=[#102+1\nTOOL LIST\n"), IsEmpty());
+    EXPECT_THAT(told("O1\nGOTO5(DELETE TO MEASURE)\n#101=[#102+1\nN5G0X1.\nM30\n"), IsEmpty());
+    EXPECT_THAT(told("O1\nGOTO5\nTAKE TOOL 5\nN5G0X1.\nM30\n"), IsEmpty());
 }
 
 TEST(UnreachedText, IsNoneWhereAJumpOrTheBlockBeforeLeads) {

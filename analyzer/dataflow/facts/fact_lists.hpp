@@ -2,6 +2,7 @@
 #pragma once
 
 #include "analyzer/dataflow/facts/application.hpp"
+#include "analyzer/dataflow/facts/call_begun.hpp"
 #include "analyzer/dataflow/facts/call_made.hpp"
 #include "analyzer/dataflow/facts/clobber.hpp"
 #include "analyzer/dataflow/facts/comparison.hpp"
@@ -29,8 +30,9 @@ namespace maclint::dataflow {
 /// Every type of fact, as arguments of `Of`, in the order of their places: what stands here can be recorded
 /// and asked for.
 template<template<class...> class Of>
-using OfEveryFact = Of<Application, Comparison, Condition, Read, ModalRead, Store, Clobber, CallMade,
-                       ModalWrite, ComputedJump, BeforeToolChange, BeforeWatchedWord, ExitState, BeforeNode>;
+using OfEveryFact =
+    Of<Application, Comparison, Condition, Read, ModalRead, Store, Clobber, CallMade, ModalWrite,
+       ComputedJump, BeforeToolChange, BeforeWatchedWord, ExitState, BeforeNode, CallBegun>;
 
 /// Whether each type has the place at which it stands.
 template<class... Types>

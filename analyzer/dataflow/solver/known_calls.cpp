@@ -132,15 +132,32 @@ bool Analysis::comes_back(const KnownStart& start) const {
     return known_starts_->comes_back(start, [&] { return finds_way_back(start); });
 }
 
-/// Most calls come back, and the first way that is tried shows it; only where none does all are looked at.
-bool Analysis::finds_way_back(const KnownStart& start) const {
+EntryKnowledge Analysis::knowledge_with(const KnownStart& start) const {
     EntryKnowledge knowledge = knowledge_;
     knowledge.known = start.known;
     if (start.arguments) {
         knowledge.arguments = start.arguments;
         knowledge.locals_are_callers = false;
     }
-    States states(*program_, std::move(knowledge));
+    return knowledge;
+}
+
+Begun Analysis::begun_with(const KnownStart& start) const {
+    States states(*program_, knowledge_with(start));
+    Transfer transfer(*program_, *graph_, states, callees_);
+    transfer.follow_no_calls();
+    StateDomain domain(*program_, states, transfer);
+    flow::Solution<State> solution;
+    flow::solve<flow::Direction::forward>(*graph_, domain, solution);
+    Begun begun;
+    for (const State& state : solution.before) begun.reached.push_back(state.reached);
+    for (const State& state : solution.along) begun.passable.push_back(state.reached);
+    return begun;
+}
+
+/// Most calls come back, and the first way that is tried shows it; only where none does all are looked at.
+bool Analysis::finds_way_back(const KnownStart& start) const {
+    States states(*program_, knowledge_with(start));
     Transfer transfer(*program_, *graph_, states, callees_);
     transfer.follow_no_calls();
     if (const auto known = comes_back_at_first(*graph_, states, transfer)) return *known;

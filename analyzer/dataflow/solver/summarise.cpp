@@ -3,6 +3,7 @@
 
 #include "analyzer/dataflow/domain/read_set.hpp"
 #include "analyzer/dataflow/domain/state.hpp"
+#include "analyzer/dataflow/solver/alarm_end.hpp"
 #include "analyzer/dataflow/solver/callers_labels.hpp"
 #include "analyzer/dataflow/solver/stop_reasons.hpp"
 #include "analyzer/program/tables.hpp"
@@ -35,19 +36,23 @@ class Summariser {
         summary_.may_stop = may_stop();
         if (summary_.may_stop) summary_.stop_reasons = find_stop_reasons(program_, graph_, facts_, reached_);
         State left;
+        summary_.returns = returns();
+        summary_.alarm_end = find_alarm_end(program_, graph_, callees_, reached_, summary_.returns);
         for (const ExitState& exit : facts_.of<ExitState>()) {
-            if (exit.exit.kind != flow::ExitKind::returns && exit.exit.kind != flow::ExitKind::runs_off)
+            // A call of what ends in an alarm may count as one that comes back.
+            const bool counts = exit.exit.kind == flow::ExitKind::alarm && summary_.alarm_end.always;
+            if (exit.exit.kind != flow::ExitKind::returns && exit.exit.kind != flow::ExitKind::runs_off &&
+                !counts)
                 continue;
             State state = exit.state;
             const Channels leaving = graph_.channels_at(exit.exit.node).running;
             states_.leave_out(state, static_cast<Channels>(graph_.all_channels & ~leaving));
             left = states_.join(left, state, static_cast<flow::NodeId>(graph_.nodes.size()));
-            if (exit.exit.effect)
+            if (exit.exit.kind == flow::ExitKind::returns && exit.exit.effect)
                 resume_labels_.add(program_, std::get<Return>(program_.effects[*exit.exit.effect].what));
         }
         summary_.resume_labels = resume_labels_.take();
-        summary_.returns = returns();
-        if (summary_.returns) summary_.decides_end = decides_end();
+        if (summary_.returns && summary_.alarm_end.possible) summary_.decides_end = decides_end();
         summary_.written_for_callers = written_for_callers();
         if (!left.reached) return;
         for (std::size_t space = 0; space < most_spaces; ++space)
@@ -111,11 +116,6 @@ class Summariser {
 
     [[nodiscard]] std::vector<Variable> decides_end() const {
         std::vector<Variable> deciding;
-        const bool alarms = any_reached([](const Effect& effect) {
-            const auto* stop = std::get_if<Stop>(&effect.what);
-            return stop != nullptr && stop->kind == Stop::Kind::alarm;
-        });
-        if (!alarms) return deciding;
         const auto add_all = [&](ExpressionId expression) {
             for (const Variable variable : variables_of(program_, expression).variables)
                 if (!program_.control->spaces[variable.space].named &&

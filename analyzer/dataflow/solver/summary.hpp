@@ -37,9 +37,22 @@ struct StopReasons {
     std::vector<Variable> variables;
 };
 
+/// How a program comes to an alarm of its own, or of a program that it calls.
+struct AlarmEnd {
+    bool possible = false;
+    bool always = false;     ///< on every path, for all calls that are known
+    bool in_text = false;    ///< on every path, whatever it is called with
+    bool works = false;      ///< it, or what it calls, moves or changes a tool somewhere
+    bool by_mistake = false; ///< `in_text`, after work: blocks run into an alarm that is there for a test
+
+    /// Whether somebody may call it in order to stop.
+    [[nodiscard]] bool is_for_stopping() const { return in_text ? !by_mistake : !works; }
+};
+
 struct Summary {
-    bool known = false;       ///< false: the program is not there, everything may change
-    bool returns = true;      ///< at least one path leads back to the block after the call
+    bool known = false;  ///< false: the program is not there, everything may change
+    bool returns = true; ///< at least one path leads back to the block after the call
+    AlarmEnd alarm_end;
     bool may_stop = true;     ///< it or what it calls may stop: an alarm, a pause, the program's end
     StopReasons stop_reasons; ///< where it may stop
     /// Variables that conditions and computed jumps read, where it may end in an alarm in place of a return:

@@ -396,8 +396,10 @@ void Transfer::run_program(State& state, EffectId id, const Call& call) {
     const Summary& summary = callee.summary;
     if (records<CallMade>())
         facts_->add(CallMade{node_, id, summary.known, !summary.known || summary.may_stop});
+    if (records<CallBegun>() && (summary.alarm_end.always || !summary.decides_end.empty()))
+        record_begin(state, id, call, summary.decides_end);
     const bool shared_frame = program_.control->calls[call.kind].frame == Frame::shared;
-    if (!comes_back(state, callee, call)) {
+    if (!comes_back(state, callee, call) && is_made_to_stop(summary)) {
         state.reached = false;
         return;
     }
@@ -429,7 +431,24 @@ void Transfer::run_program(State& state, EffectId id, const Call& call) {
         if (visible(change.variable.space)) change_variable(change.variable, change);
     }
     change_handed_down(state, summary);
+    if (summary.alarm_end.always) return havoc_groups(state, std::nullopt);
     change_groups(state, summary);
+}
+
+/// Numbers are left out: assignment alone is to tell where the call leads.
+void Transfer::record_begin(const State& state, EffectId id, const Call& call,
+                            std::span<const Variable> deciding) {
+    KnownStart start = known_at(state, call, deciding);
+    std::erase_if(start.known, [](const KnownVariable& known) { return known.number.has_value(); });
+    if (start.arguments)
+        std::ranges::sort(*start.arguments, {}, [](const auto& passed) { return key_of(passed.first); });
+    facts_->add(CallBegun{node_, id, std::move(start)});
+}
+
+/// Whether who calls the program here wants it to stop. Any other call is taken for one that comes back: what
+/// stands behind it counts.
+bool Transfer::is_made_to_stop(const Summary& called) const {
+    return called.alarm_end.is_for_stopping() && !graph_.expects_return(node_);
 }
 
 /// A program of which nothing is known may store in what is, or may be, passed by reference.

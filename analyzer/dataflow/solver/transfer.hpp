@@ -116,6 +116,8 @@ class Transfer {
     [[nodiscard]] KnownStart known_at(const State& state, const Call& call,
                                       std::span<const Variable> deciding);
     [[nodiscard]] bool comes_back(const State& state, const Callee& callee, const Call& call);
+    void record_begin(const State& state, EffectId id, const Call& call, std::span<const Variable> deciding);
+    [[nodiscard]] bool is_made_to_stop(const Summary& called) const;
     void run_unknown_program(State& state, bool shared_frame);
     [[nodiscard]] bool is_modal_call(const ModalPart& part) const;
     void change_handed_down(State& state, const Summary& summary);

@@ -29,7 +29,7 @@ class Maclint:
 
     def run(self, home, arguments, stdin=None):
         """Standard output of a check in that folder."""
-        done = subprocess.run([self.executable, 'check', '--isolated', '--select', 'ALL', '--format', 'json', '--no-timestamps', *arguments], cwd=home,
+        done = subprocess.run([self.executable, 'check', '--isolated', '--vendor', '--select', 'ALL', '--format', 'json', '--no-timestamps', *arguments], cwd=home,
                               input=stdin, capture_output=True, check=False)
         if done.returncode not in (0, 1) or not done.stdout:
             raise Failed(f'maclint ended with status {done.returncode} in {home}:\n{done.stderr.decode(errors="replace")[-2000:]}')

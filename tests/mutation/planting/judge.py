@@ -78,7 +78,7 @@ class Judge:
         """Findings by the first folder of their path, and the files that were not linted. Files are named, because
         maclint passes over unusual names in folders."""
         options = [] if complete else ['--isolated']
-        done = subprocess.run([str(self.maclint), 'check', '--format', 'json', '--jobs', '1', '--no-timestamps', *options, '.', *files],
+        done = subprocess.run([str(self.maclint), 'check', '--vendor', '--format', 'json', '--jobs', '1', '--no-timestamps', *options, '.', *files],
                               cwd=folder, capture_output=True, text=True, errors='replace')
         if not done.stdout:
             sys.exit(f'plant: maclint ended with status {done.returncode} on the programs in {folder}:\n{done.stderr[-2000:]}')

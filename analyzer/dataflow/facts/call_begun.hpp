@@ -1,0 +1,19 @@
+//! What a call begins a program with that may end in an alarm.
+#pragma once
+
+#include "analyzer/dataflow/facts/fact_set.hpp"
+#include "analyzer/dataflow/solver/known_start.hpp"
+#include "analyzer/flow/graph.hpp"
+
+namespace maclint::dataflow {
+
+/// A call of a known program that ends in an alarm always, or for some of what it may be given. A modal call
+/// begins it at every move.
+struct CallBegun {
+    static constexpr FactPlace place{14};
+    flow::NodeId node;
+    EffectId effect;
+    KnownStart start; ///< what is vacant; numbers are not
+};
+
+} // namespace maclint::dataflow

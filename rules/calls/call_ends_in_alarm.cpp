@@ -1,0 +1,132 @@
+//! MAC470: a call whose program comes to its own alarm, whatever happens.
+#include "analyzer/dataflow/facts/call_begun.hpp"
+#include "analyzer/queries/alarmed_calls.hpp"
+#include "rules/path.hpp"
+#include "rules/rule.hpp"
+#include "rules/trace.hpp"
+
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+namespace maclint::rules {
+
+namespace {
+void check(const ProgramAnalysis& analysis, Reporter& reporter);
+}
+
+extern const Rule call_ends_in_alarm{
+    .code = "MAC470",
+    .name = "call-ends-in-alarm",
+    .summary = "The called program comes to its own alarm on every path",
+    .why =
+        "The call leaves out an argument that the program asks for, or the program runs into an alarm that "
+        "is "
+        "there for a test. The machine stops there each time, and what follows the call is never run. A call "
+        "behind a test, of a program that does nothing but raise alarms, is meant to stop.",
+    .severity = Severity::error,
+    .precision = Precision::high,
+    .facts = dataflow::facts<dataflow::CallBegun>(),
+    .data_flow = true,
+    .messages =
+        {{"left-out",
+          "Call ends in an alarm: '{0}' leaves {1} vacant, and {2} then always comes to '{3}' in line {4}.",
+          "Pass it."},
+         {"order",
+          "Call ends in an alarm: of I, J and K in '{0}' one stands behind a later one and counts as a "
+          "second "
+          "one, which leaves {1} vacant; {2} then always comes to '{3}' in line {4}.",
+          "Write them in this order."},
+         {"vacant",
+          "Call ends in an alarm: with what '{0}' leaves out, {2} always comes to '{3}' in line {4}.",
+          "Pass what it asks for."},
+         {"fallen-in",
+          "Call ends in an alarm: {2} runs into '{3}' in line {4} on every path, whatever '{0}' passes.",
+          "End {2} before that, with M99 or a GOTO."},
+         {"always", "Call ends in an alarm: {2} comes to '{3}' in line {4}, whatever '{0}' passes.",
+          "Delete the call, or correct {2}."}},
+    .bad = {{"fanuc", R"nc(
+O0001(MAIN)
+G65P9470B5.
+M30
+O9470(MOVE, A B)
+IF[#1EQ#0]GOTO99
+G91G1X[#1+#2]F200.
+G90
+M99
+N99#3000=101(A MISSING)
+)nc"},
+            {"fanuc", R"nc(
+O0001(MAIN)
+G65P9471A5.
+M30
+O9471(MOVE, A)
+IF[#1EQ#0]GOTO99
+G91G1X#1F200.
+G90
+N99#3000=101(A MISSING)
+M99
+)nc"}},
+    .good = {{"fanuc", R"nc(
+O0001(MAIN)
+IF[#500GT0]GOTO5
+G65P9472
+N5G65P9470A5.B5.
+M30
+O9470(MOVE, A B)
+IF[#1EQ#0]GOTO99
+G91G1X[#1+#2]F200.
+G90
+M99
+N99#3000=101(A MISSING)
+O9472(STOP)
+#3000=102(NO LENGTH)
+)nc"}},
+    .sources = {"SEED-001:642; T: no control reads on after an alarm"},
+    .check = &check,
+};
+
+namespace {
+
+std::string names_of(const queries::AlarmedCall& call) {
+    std::string names;
+    for (const Variable variable : call.vacant)
+        names += (names.empty() ? "" : ", ") + with_letter(*call.called, variable);
+    return names;
+}
+
+std::string_view message_for(const queries::AlarmedCall& call) {
+    switch (call.reason) {
+    case queries::AlarmReason::left_out: return call.vacant.empty() ? "vacant" : "left-out";
+    case queries::AlarmReason::out_of_order: return "order";
+    case queries::AlarmReason::fallen_in: return "fallen-in";
+    case queries::AlarmReason::always: break;
+    }
+    return "always";
+}
+
+/// How the called program gets to its alarm.
+void add_steps(Finding& finding, const queries::AlarmReached& alarm) {
+    for (RelatedLocation& step : steps_along(*alarm.program, alarm.path))
+        finding.related.push_back(std::move(step));
+    finding.related.push_back({alarm.program->source(), alarm.text, "the alarm"});
+}
+
+void check(const ProgramAnalysis& analysis, Reporter& reporter) {
+    const Program& program = analysis.program();
+    for (const queries::AlarmedCall& call : queries::find_alarmed_calls(analysis)) {
+        const Span span = program.effects[call.call].span;
+        const ProgramAnalysis& stopping = *call.alarm.program;
+        const std::string alarm = quoted(stopping.program(), call.alarm.text);
+        Finding& finding = reporter.report({analysis, call.call}, span, message_for(call),
+                                           {quoted(program, span), names_of(call), stopping.program().name,
+                                            alarm, line_number(stopping.file(), call.alarm.text.begin)});
+        trace(finding, analysis, call.node, "calls " + call.called->program().name);
+        add_steps(finding, call.alarm);
+        finding.same_cause = stopping.program().name + " " + alarm + " " + names_of(call);
+    }
+}
+
+} // namespace
+} // namespace maclint::rules
