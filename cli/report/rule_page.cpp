@@ -3,6 +3,7 @@
 
 #include "analyzer/dialect/dialect.hpp"
 #include "cli/config/selection.hpp"
+#include "cli/report/measured_precision.hpp"
 #include "cli/report/row_page.hpp"
 
 #include <algorithm>
@@ -49,12 +50,32 @@ std::string_view words_for(Capability capability) {
     return {};
 }
 
+std::string share_of(const ReadFindings& findings) {
+    return std::to_string(findings.correct) + " of " + std::to_string(findings.decided);
+}
+
+/// How precise the rule is and on what that rests: findings that were read, or what its author expects.
+std::string precision_of(const Rule& rule) {
+    const std::string precision = "Precision: " + std::string(name_of(rule.precision));
+    const MeasuredRule* entry = measured(rule.code);
+    if (entry == nullptr) return precision + ", estimated.";
+    const bool is_note = rule.severity == Severity::note;
+    const std::string basis = share_of(is_note ? entry->notes : entry->alarms);
+    std::string sentences = precision;
+    sentences += entry->precision
+                     ? ", measured: " + basis + " findings in real programs were worth acting on."
+                     : ", estimated.";
+    if (!is_note && entry->notes.decided > 0)
+        sentences += " Notes of it worth acting on: " + share_of(entry->notes) + ".";
+    return sentences;
+}
+
 std::string facts_of(const Rule& rule) {
     std::string severity(name_of(rule.severity));
     for (const OtherSeverity& other : rule.severity_elsewhere)
         severity += ", in " + std::string(other.language) + " " + std::string(name_of(other.severity));
-    std::string facts = "Severity: " + severity + ". Precision: " + std::string(name_of(rule.precision)) +
-                        ". " + (rule.on_by_default ? "On by default." : "Off by default.");
+    std::string facts = "Severity: " + severity + ". " + precision_of(rule) + " " +
+                        (rule.on_by_default ? "On by default." : "Off by default.");
     if (!rule.off_reason.empty()) {
         facts += " " + std::string(rule.off_reason);
         if (!facts.ends_with('.')) facts += '.';

@@ -26,7 +26,7 @@ extern const Rule missing_program_end{
            "spindle may still turn, and the next start does not begin at the first block. Where it is a "
            "subprogram, it never returns. A note where no alarm of the control is known.",
     .severity = Severity::error,
-    .precision = Precision::high,
+    .precision = Precision::very_high,
     .facts = dataflow::facts<dataflow::ExitState, dataflow::Read, dataflow::Store>(),
     .data_flow = true,
     .messages = {{"plain", "Missing end: {0} ends after this block, without {2} and without {1}.",

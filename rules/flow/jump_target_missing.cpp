@@ -24,7 +24,7 @@ extern const Rule jump_target_missing{
     .why = "The control searches the program to its end and stops with an alarm, with the tool "
            "where it happens to be.",
     .severity = Severity::error,
-    .precision = Precision::very_high,
+    .precision = Precision::high,
     .needs = {Capability::jumps},
     .facts = dataflow::facts<dataflow::ComputedJump>(),
     .data_flow = true,

@@ -29,7 +29,7 @@ extern const Rule modal_state_not_restored{
            "absolute position is an incremental move, with G18 its next arc lies in another "
            "plane.",
     .severity = Severity::warning,
-    .precision = Precision::high,
+    .precision = Precision::very_high,
     .facts = dataflow::facts<dataflow::ExitState, dataflow::ModalWrite, dataflow::CallMade, dataflow::Store,
                              dataflow::Clobber>(),
     .data_flow = true,

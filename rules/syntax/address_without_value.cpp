@@ -10,7 +10,7 @@ extern const Rule address_without_value{
     .why = "The number was lost in typing or in a post processor. The control stops in the block,"
            " which may be hours into the job.",
     .severity = Severity::error,
-    .precision = Precision::very_high,
+    .precision = Precision::high,
     .yields_to = "MAC122 MAC401",
     .messages = {{"plain", "Address without a value: '{0}', and the control stops here.",
                   "Give it a number, a variable or [ ], or delete it."},

@@ -1,0 +1,42 @@
+//! Made by tests/tools/write_precision from docs/verdicts: what was read of the findings of each rule.
+#include "cli/report/measured_precision.hpp"
+
+#include <algorithm>
+#include <array>
+
+namespace maclint::cli {
+namespace {
+
+// Code, precision; errors and warnings, and notes, true and decided ones, where there are enough.
+// clang-format off
+constexpr std::array<MeasuredRule, 17> measured_rules{{
+    {"MAC106", Precision::high, {6, 7}, {}},
+    {"MAC109", Precision::high, {4, 5}, {}},
+    {"MAC118", Precision::very_high, {8, 8}, {}},
+    {"MAC121", Precision::high, {44, 52}, {}},
+    {"MAC122", Precision::low, {}, {0, 33}},
+    {"MAC209", Precision::high, {24, 30}, {}},
+    {"MAC213", std::nullopt, {}, {1, 16}},
+    {"MAC225", std::nullopt, {}, {5, 5}},
+    {"MAC301", Precision::high, {10, 11}, {}},
+    {"MAC332", std::nullopt, {}, {2, 6}},
+    {"MAC455", Precision::very_high, {7, 7}, {}},
+    {"MAC460", std::nullopt, {}, {2, 16}},
+    {"MAC462", std::nullopt, {}, {1, 13}},
+    {"MAC501", Precision::very_high, {9, 9}, {}},
+    {"MAC502", Precision::high, {7, 8}, {}},
+    {"MAC503", Precision::very_high, {12, 12}, {0, 13}},
+    {"MAC702", Precision::high, {6, 7}, {}},
+}};
+// clang-format on
+
+} // namespace
+
+const MeasuredRule* measured(std::string_view code) {
+    const auto* const found = std::ranges::find(measured_rules, code, &MeasuredRule::code);
+    return found == measured_rules.end() ? nullptr : &*found;
+}
+
+std::span<const MeasuredRule> all_measured_rules() { return measured_rules; }
+
+} // namespace maclint::cli
