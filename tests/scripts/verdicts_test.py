@@ -120,6 +120,20 @@ class PrecisionTest(TablesTest):
     def test_passes_sets_that_do_not_count(self):
         self.assertEqual(self.measured(count_of(9), counts="no"), {})
 
+    def test_names_what_is_too_low(self):
+        def too_low(*rows):
+            sets = self.read(*rows)
+            written = tool("write_precision").page(sets, RULES)
+            return written.partition("To be mended: ")[2].partition("\n")[0]
+
+        noise = {"verdict": "noise", "why": "meant"}
+        self.assertEqual(too_low(count_of(8), count_of(2, **noise)), "")
+        self.assertEqual(too_low(count_of(7), count_of(2, **noise)), "errors of [MAC301](rules/MAC301.md) (77 %).")
+        notes = [count_of(5, severity="note"), count_of(5, severity="note", **noise)]
+        self.assertEqual(too_low(*notes), "")
+        self.assertEqual(too_low(*notes, count_of(1, severity="note", **noise)), "notes of [MAC301](rules/MAC301.md) (45 %).")
+        self.assertEqual(too_low(count_of(4, **noise)), "")
+
     def test_is_held_against_the_records(self):
         sets = self.read(count_of(9))
         self.assertEqual(tool("write_precision").wrong_records(sets, RULES),

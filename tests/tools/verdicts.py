@@ -21,6 +21,10 @@ ENOUGH_AUTHORS = 2
 SEVERAL = "several"
 
 
+# What is under it, of a rule and a severity with enough verdicts, is to be mended, in per cent.
+FEWEST_TRUE = {"error": 80, "warning": 80, "note": 50}
+
+
 class BadTable(Exception):
     """A table that cannot be used; the text says where and why."""
 
