@@ -54,27 +54,11 @@ std::string share_of(const ReadFindings& findings) {
     return std::to_string(findings.correct) + " of " + std::to_string(findings.decided);
 }
 
-/// How precise the rule is and on what that rests: findings that were read, or what its author expects.
-std::string precision_of(const Rule& rule) {
-    const std::string precision = "Precision: " + std::string(name_of(rule.precision));
-    const MeasuredRule* entry = measured(rule.code);
-    if (entry == nullptr) return precision + ", estimated.";
-    const bool is_note = rule.severity == Severity::note;
-    const std::string basis = share_of(is_note ? entry->notes : entry->alarms);
-    std::string sentences = precision;
-    sentences += entry->precision
-                     ? ", measured: " + basis + " findings in real programs were worth acting on."
-                     : ", estimated.";
-    if (!is_note && entry->notes.decided > 0)
-        sentences += " Notes of it worth acting on: " + share_of(entry->notes) + ".";
-    return sentences;
-}
-
 std::string facts_of(const Rule& rule) {
     std::string severity(name_of(rule.severity));
     for (const OtherSeverity& other : rule.severity_elsewhere)
         severity += ", in " + std::string(other.language) + " " + std::string(name_of(other.severity));
-    std::string facts = "Severity: " + severity + ". " + precision_of(rule) + " " +
+    std::string facts = "Severity: " + severity + ". " + precision_of(rule, measured(rule.code)) + " " +
                         (rule.on_by_default ? "On by default." : "Off by default.");
     if (!rule.off_reason.empty()) {
         facts += " " + std::string(rule.off_reason);
@@ -120,6 +104,20 @@ std::string_view family_of(const Rule& rule) {
 std::string_view name_of(Precision precision) {
     constexpr std::array<std::string_view, 4> names = {"low", "medium", "high", "very-high"};
     return names.at(static_cast<std::size_t>(precision));
+}
+
+std::string precision_of(const Rule& rule, const MeasuredRule* entry) {
+    const std::string precision = "Precision: " + std::string(name_of(rule.precision));
+    if (entry == nullptr) return precision + ", estimated.";
+    const bool is_note = rule.severity == Severity::note;
+    const std::string basis = share_of(is_note ? entry->notes : entry->alarms);
+    std::string sentences = precision;
+    sentences += entry->precision
+                     ? ", measured: " + basis + " findings in real programs were worth acting on."
+                     : ", estimated.";
+    if (!is_note && entry->notes.decided > 0)
+        sentences += " Notes of it worth acting on: " + share_of(entry->notes) + ".";
+    return sentences;
 }
 
 std::string summary_sentence(const Rule& rule) {

@@ -1,6 +1,7 @@
 //! A rule's page: what `explain` shows, `rules --write-docs` writes and SARIF carries as help.
 #pragma once
 
+#include "cli/report/measured_precision.hpp"
 #include "cli/report/plain_page.hpp"
 #include "rules/rule.hpp"
 
@@ -36,6 +37,9 @@ enum class ListedRows : std::uint8_t { left_out, shown };
 [[nodiscard]] std::string_view family_of(const Rule& rule);
 /// "very-high".
 [[nodiscard]] std::string_view name_of(Precision precision);
+/// How precise the rule is and on what that rests: findings that were read (nullptr: too few of them), or
+/// what its author expects.
+[[nodiscard]] std::string precision_of(const Rule& rule, const MeasuredRule* entry);
 /// The summary as a sentence.
 [[nodiscard]] std::string summary_sentence(const Rule& rule);
 

@@ -2,7 +2,7 @@
 #include "cli/report/measured_precision.hpp"
 #include "cli/report/rule_page.hpp"
 
-#include <algorithm>
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -13,17 +13,8 @@ namespace maclint::cli {
 namespace {
 
 using testing::HasSubstr;
-using testing::Not;
 
-std::string page_of(std::string_view code) { return markdown_page(*find_rule(code)); }
-
-/// The code of a measured rule of which `is_wanted` is true.
-template<typename IsWanted>
-std::string_view code_of(IsWanted is_wanted) {
-    const auto rules = all_measured_rules();
-    const auto found = std::ranges::find_if(rules, is_wanted);
-    return found == rules.end() ? std::string_view() : found->code;
-}
+const Rule& rule_with(std::string_view code) { return *find_rule(code); }
 
 TEST(MeasuredPrecision, IsThatOfTheRecord) {
     for (const MeasuredRule& entry : all_measured_rules()) {
@@ -42,30 +33,44 @@ TEST(MeasuredPrecision, CountsNoMoreCorrectFindingsThanDecidedOnes) {
     }
 }
 
+TEST(MeasuredPrecision, IsFoundByTheCode) {
+    ASSERT_FALSE(all_measured_rules().empty());
+    for (const MeasuredRule& entry : all_measured_rules()) EXPECT_EQ(measured(entry.code), &entry);
+    EXPECT_EQ(measured("MAC000"), nullptr);
+}
+
 TEST(MeasuredPrecision, OfARuleThatNobodyReadIsCalledEstimated) {
-    EXPECT_EQ(measured("MAC001"), nullptr);
-    EXPECT_THAT(page_of("MAC001"), HasSubstr(", estimated."));
+    const Rule& rule = rule_with("MAC301");
+    EXPECT_EQ(precision_of(rule, nullptr),
+              "Precision: " + std::string(name_of(rule.precision)) + ", estimated.");
 }
 
-TEST(MeasuredPrecision, StandsOnThePageWithItsFindings) {
-    const MeasuredRule* entry =
-        measured(code_of([](const MeasuredRule& rule) { return rule.precision && rule.alarms.decided > 0; }));
-    ASSERT_NE(entry, nullptr);
-    const std::string findings =
-        std::to_string(entry->alarms.correct) + " of " + std::to_string(entry->alarms.decided);
-    EXPECT_THAT(page_of(entry->code),
-                HasSubstr("measured: " + findings + " findings in real programs were worth acting on."));
-    EXPECT_THAT(page_of(entry->code), Not(HasSubstr("estimated")));
+TEST(MeasuredPrecision, IsToldWithTheErrorsAndWarningsItRestsOn) {
+    const Rule& rule = rule_with("MAC301");
+    const MeasuredRule entry{"MAC301", Precision::high, {10, 11}, {}};
+    EXPECT_EQ(precision_of(rule, &entry),
+              "Precision: " + std::string(name_of(rule.precision)) +
+                  ", measured: 10 of 11 findings in real programs were worth acting on.");
 }
 
-TEST(MeasuredPrecision, IsToldOfNotesByItself) {
-    const MeasuredRule* entry = measured(code_of([](const MeasuredRule& rule) {
-        return rule.notes.decided > 0 && find_rule(rule.code)->severity != Severity::note;
-    }));
-    ASSERT_NE(entry, nullptr);
-    EXPECT_THAT(page_of(entry->code),
-                HasSubstr("Notes of it worth acting on: " + std::to_string(entry->notes.correct) + " of " +
-                          std::to_string(entry->notes.decided) + "."));
+TEST(MeasuredPrecision, OfARuleThatIsANoteRestsOnItsNotes) {
+    const MeasuredRule entry{"MAC604", Precision::medium, {}, {3, 5}};
+    EXPECT_THAT(precision_of(rule_with("MAC604"), &entry),
+                testing::EndsWith(", measured: 3 of 5 findings in real programs were worth acting on."));
+}
+
+TEST(MeasuredPrecision, DoesNotHideTheNotesOfOtherRules) {
+    const MeasuredRule entry{"MAC301", std::nullopt, {}, {1, 16}};
+    EXPECT_THAT(precision_of(rule_with("MAC301"), &entry),
+                testing::EndsWith(", estimated. Notes of it worth acting on: 1 of 16."));
+}
+
+TEST(MeasuredPrecision, StandsOnThePage) {
+    for (const MeasuredRule& entry : all_measured_rules()) {
+        const Rule& rule = rule_with(entry.code);
+        EXPECT_THAT(markdown_page(rule), HasSubstr(precision_of(rule, &entry) + " O")) << entry.code;
+    }
+    EXPECT_THAT(markdown_page(rule_with("MAC001")), HasSubstr(", estimated. On by default."));
 }
 
 } // namespace
