@@ -552,11 +552,11 @@ bool is_bare_remark(std::string_view text, Span block) {
 std::optional<SyntaxError> find_cause(std::string_view text, Span block) {
     const ErrorExplainer explainer(text, block);
     for (const auto cause :
-         {&ErrorExplainer::bare_remark, &ErrorExplainer::remark, &ErrorExplainer::wide_sign, &ErrorExplainer::parenthesis_as_bracket,
-          &ErrorExplainer::bracket_mismatch, &ErrorExplainer::letter_o, &ErrorExplainer::decimal_comma,
-          &ErrorExplainer::sharp_without_number, &ErrorExplainer::unknown_keyword,
-          &ErrorExplainer::symbolic_comparison, &ErrorExplainer::missing_value,
-          &ErrorExplainer::missing_address})
+         {&ErrorExplainer::bare_remark, &ErrorExplainer::remark, &ErrorExplainer::wide_sign,
+          &ErrorExplainer::parenthesis_as_bracket, &ErrorExplainer::bracket_mismatch,
+          &ErrorExplainer::letter_o, &ErrorExplainer::decimal_comma, &ErrorExplainer::sharp_without_number,
+          &ErrorExplainer::unknown_keyword, &ErrorExplainer::symbolic_comparison,
+          &ErrorExplainer::missing_value, &ErrorExplainer::missing_address})
         if (std::optional<SyntaxError> found = (explainer.*cause)()) return found;
     return std::nullopt;
 }
