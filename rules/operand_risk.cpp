@@ -1,11 +1,8 @@
 //! Messages about values that a program may be given.
 #include "rules/operand_risk.hpp"
 
-#include "analyzer/dataflow/facts/store.hpp"
 #include "analyzer/queries/callers.hpp"
 #include "analyzer/queries/conditions.hpp"
-#include "analyzer/queries/work_before.hpp"
-#include "analyzer/source/work_limit.hpp"
 #include "rules/path.hpp"
 #include "rules/trace.hpp"
 
@@ -40,17 +37,6 @@ void report(const ProgramAnalysis& analysis, const dataflow::Application& applic
                                     with_letter(analysis, risk.variable)},
                                    reporter);
     trace(finding, analysis, application.node, "it is calculated here");
-}
-
-/// Who leaves the argument out gets a value that is set for it, and who passes 0 an alarm before anything has
-/// been done: a test would do no more.
-bool is_harmless(const ProgramAnalysis& analysis, Variable variable, flow::NodeId node) {
-    const bool has_default =
-        any_within_limit(analysis.facts().all<dataflow::Store>(), [&](const dataflow::Store& store) {
-            const auto number = store.variable == variable ? store.value.constant() : std::nullopt;
-            return number && *number != 0;
-        });
-    return has_default && !queries::may_have_worked_before(analysis, node);
 }
 
 } // namespace
@@ -90,9 +76,6 @@ void report_risks(const ProgramAnalysis& analysis, Operation operation, Reporter
         if (!risks) risks.emplace(analysis);
         const auto risk = risks->risk_of(application);
         if (!risk || std::ranges::find(reported, risk->variable) != reported.end()) continue;
-        if (risk->evidence == Evidence::asked_vacancy &&
-            is_harmless(analysis, risk->variable, application.node))
-            continue;
         reported.push_back(risk->variable);
         report(analysis, application, *risk, reporter);
     }

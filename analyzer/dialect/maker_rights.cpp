@@ -167,10 +167,13 @@ class Head {
 } // namespace
 
 bool claims_rights(std::string_view remark) {
-    const std::string words = words_of(remark);
+    const std::string bracketed = words_of(remark);
+    std::string words = bracketed;
+    std::ranges::replace_if(
+        words, [](char c) { return c == '(' || c == ')'; }, ' ');
     const auto stands = [&](std::string_view text) { return words.find(text) != std::string::npos; };
     if (std::ranges::any_of(others, stands)) return false;
-    return std::ranges::any_of(rights, stands) || has_letter_for_sign(words);
+    return std::ranges::any_of(rights, stands) || has_letter_for_sign(bracketed);
 }
 
 std::vector<ProgramWithRights> programs_with_rights(const ProgramFile& file) {

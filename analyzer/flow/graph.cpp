@@ -522,10 +522,23 @@ class Building {
         const EdgesByNode out(graph_.nodes.size(), graph_.edges, &Edge::from);
         const EdgesByNode in(graph_.nodes.size(), graph_.edges, &Edge::to);
         const auto unavoidable = unavoidable_nodes(graph_.nodes.size(), graph_.edges, out, graph_.exits);
+        // A program that does nothing but call it is there to stop as well.
+        const bool is_more = has_other_work();
         for (const auto& call : calls_)
-            if (may_alarm(call) && (unavoidable[call.first] || goes_on_with_work(call.first, out, in)))
+            if (may_alarm(call) &&
+                ((is_more && unavoidable[call.first]) || goes_on_with_work(call.first, out, in)))
                 graph_.returns_expected.push_back(call.first);
         std::ranges::sort(graph_.returns_expected);
+    }
+
+    /// Whether the program ends by itself, or works elsewhere than in calls that may stop.
+    [[nodiscard]] bool has_other_work() const {
+        std::vector<bool> calls(graph_.nodes.size(), false);
+        for (const auto& [node, call] : calls_) calls[node] = true;
+        for (NodeId node = 0; node < graph_.nodes.size(); ++node)
+            if (!calls[node] && works(graph_.nodes[node])) return true;
+        return std::ranges::any_of(graph_.exits,
+                                   [](const Exit& exit) { return exit.kind == ExitKind::ends; });
     }
 
     /// Whether the blocks that only the call leads to do work: who wrote them expects it to come back. Jumps,
@@ -544,7 +557,11 @@ class Building {
     }
 
     [[nodiscard]] bool works(const Node& node) const {
-        if (node.is_run) return moves(program_, node.stretch());
+        if (node.is_run) {
+            bool moves = false;
+            for_each_block(program_, node.stretch(), [&](const BlockView& block) { moves |= block.moves; });
+            return moves;
+        }
         return std::ranges::any_of(program_.effects_in(node.effects), [this](const Effect& effect) {
             const auto* assign = std::get_if<Assign>(&effect.what);
             if (assign == nullptr)

@@ -128,7 +128,9 @@ ReadFile read(const SnapshotFile& file, ProgramStore& store) {
     auto opened = open_file(file);
     if (auto* notice = std::get_if<Notice>(&opened)) return ReadFile{.notice = std::move(*notice)};
     auto source = std::make_shared<const Source>(std::get<Source>(std::move(opened)));
-    return read_source(file, std::move(source), Extent::names_and_calls, store);
+    return read_source(
+        file, std::move(source),
+        file.settings.vendor == VendorCode::by_remarks ? Extent::whole : Extent::names_and_calls, store);
 }
 
 std::string paragraph(const SnapshotFile& file, const ReadFile& read) {

@@ -20,6 +20,7 @@
 #include <new>
 #include <string>
 #include <string_view>
+#include <unordered_set>
 #include <utility>
 
 namespace maclint::cli {
@@ -174,12 +175,10 @@ class Run {
         std::vector<WorkspaceFile> members;
         std::vector<FileRules> rules;
         std::vector<Finding> findings;
-        std::vector<VendorProgram> vendor;
         for (const std::size_t i : group) {
             const SnapshotFile& file = snapshot_.files[i];
             const auto programs = held.emplace_back(programs_of(i));
             if (programs == nullptr) continue;
-            if (file.input.asked) add_vendor_programs(*programs, file.settings.vendor, vendor);
             if (file.input.asked) rules.push_back({programs.get(), file.settings.rules.get()});
             if (file.input.asked && file.settings.dialect == nullptr) // whoever names it wants to see all
                 std::ranges::move(other_control(*programs, *seen_[i].read.dialect),
@@ -192,7 +191,23 @@ class Run {
         }
         const Selection selection = selection_of(rules);
         std::ranges::move(find_in(std::move(members), selection, jobs), std::back_inserter(findings));
-        return {withhold_misread(apply_suppressions(std::move(findings), rules)), std::move(vendor)};
+        Checked checked{withhold_misread(apply_suppressions(std::move(findings), rules)), {}};
+        checked.vendor = vendor_programs(group, held, checked.findings);
+        return checked;
+    }
+
+    /// Those of files in which something was found that may be left out.
+    [[nodiscard]] std::vector<VendorProgram>
+    vendor_programs(const Group& group, const std::vector<std::shared_ptr<const ProgramFile>>& held,
+                    const std::vector<FilteredFinding>& findings) const {
+        std::unordered_set<const Source*> sources;
+        for (const FilteredFinding& filtered : findings)
+            if (filtered.finding.severity != Severity::error) sources.insert(filtered.finding.source.get());
+        std::vector<VendorProgram> vendor;
+        for (std::size_t i = 0; i < group.size(); ++i)
+            if (held[i] != nullptr && sources.contains(held[i]->source.get()))
+                add_vendor_programs(*held[i], snapshot_.files[group[i]].settings.vendor, vendor);
+        return vendor;
     }
 
     static void add_vendor_programs(const ProgramFile& file, VendorCode code,

@@ -26,7 +26,7 @@ class VendorCode : public InRepository {
     void SetUp() override {
         InRepository::SetUp();
         folder.write("probe/O9810.nc", macro("9810", maker));
-        folder.write("probe/O9811.nc", macro("9811", maker, "GOTO77\n"));
+        folder.write("probe/O9811.nc", macro("9811", maker, "IF[#500EQ1]GOTO77\n"));
         folder.write("own/O9001.nc", macro("9001", "(FOR THE BORE)"));
     }
 

@@ -87,6 +87,9 @@ TEST(KnownCalls, ThatEveryPathComesByAreNotMadeToStop) {
     EXPECT_TRUE(reaches_m08("IF[#501EQ1]GOTO9\nG65P2\nM08\nM30\nN9" + alarm, alarm));
     EXPECT_TRUE(reaches_m08("IF[#501EQ1]GOTO5\nG1Y1.\nN5G65P2\nM08\nM30\n", alarm));
     EXPECT_FALSE(reaches_m08("IF[#501EQ1]GOTO5\nG65P2\nM08\nN5M30\n", alarm));
+    // What does nothing but call a program that stops is there to stop as well.
+    EXPECT_FALSE(comes_back("G65P2", "#149=7\nM98P3\nM99\nO0003\n" + alarm));
+    EXPECT_TRUE(comes_back("G65P2", "G0X1.\nM98P3\nM99\nO0003\n" + alarm));
     // A program that ends without an alarm has ended.
     EXPECT_FALSE(counts_as_coming_back("G65P2", "M30\n"));
 }

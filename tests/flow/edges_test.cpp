@@ -209,7 +209,10 @@ TEST(Edges, ACalledProgramResumesWhereItSays) {
     EXPECT_THAT(edges_in(main + perhaps),
                 UnorderedElementsAre("1 next 2", "2 next 3", "2 resume 4", "3 next 4"));
     EXPECT_THAT(edges_in(main + always), UnorderedElementsAre("1 next 2", "2 resume 4", "3 next 4"));
-    EXPECT_THAT(edges_in(main + "O2\n#3000=1\n"), UnorderedElementsAre("1 next 2", "3 next 4"));
+    // Where another path leads around a call that always alarms, it is there for that.
+    EXPECT_THAT(edges_in(skipped + "O2\n#3000=1\n"),
+                UnorderedElementsAre("1 next 2", "1 skip 3", "3 next 4"));
+    EXPECT_THAT(edges_in(main + "O2\n#3000=1\n"), UnorderedElementsAre("1 next 2", "2 next 3", "3 next 4"));
     EXPECT_THAT(edges_in(skipped + always),
                 UnorderedElementsAre("1 next 2", "1 skip 3", "2 resume 4", "3 next 4"));
     // Nor does a program run off its end after such a call.

@@ -162,9 +162,11 @@ TEST(Graph, ACalledProgramMayReturnToAnotherBlock) {
 
 TEST(Graph, AfterACallThatDoesNotReturnThereNothingIsReached) {
     const std::string alarm = "O2\n#3000=1(STOP)\n";
-    EXPECT_THAT(unreached_in("O1\nM98P2\n#1=5\nM30\n" + alarm), ElementsAre(3, 4));
+    EXPECT_THAT(unreached_in("O1\nIF[#500EQ1]GOTO5\nM98P2\nM8\nN5M30\n" + alarm), ElementsAre(4));
+    EXPECT_THAT(unreached_in("O1\nM98P2\n#1=5\nM30\n" + alarm), IsEmpty()); // not made for the alarm
     EXPECT_THAT(unreached_in("O1\nIF[#100EQ1]THEN M98P2\n#1=5\nM30\n" + alarm), IsEmpty());
-    EXPECT_THAT(unreached_in("O1\nM98P3\n#1=5\nM30\n" + alarm + "O3\nM98P2\nM99\n"), ElementsAre(3, 4));
+    EXPECT_THAT(unreached_in("O1\nIF[#500EQ1]GOTO5\nM98P3\nM8\nN5M30\n" + alarm + "O3\nM98P2\nM99\n"),
+                ElementsAre(4));
     // It returns on some path, or may be left out, or what leads back cannot be read.
     EXPECT_THAT(unreached_in("O1\nM98P2\n#1=5\nM30\nO2\nIF[#100EQ1]GOTO9\n#3000=1\nN9 M99\n"), IsEmpty());
     EXPECT_THAT(unreached_in("O1\nM98P2L#100\n#1=5\nM30\n" + alarm), IsEmpty());

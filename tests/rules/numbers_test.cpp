@@ -34,23 +34,6 @@ TEST(DivisionByZero, OfALiteralOrAStoredZeroIsReported) {
     EXPECT_THAT(lines_raised("MAC702", "O9001\nIF[#1NE0]GOTO1\n#5=#2/#1\nN1 M99\n"), ElementsAre(3));
 }
 
-TEST(DivisionByZero, IsHarmlessWhereTheArgumentHasADefaultAndNothingHasBeenDoneYet) {
-    const std::string has_default = "O9001\nIF[#2NE#0]GOTO1\n#2=1\nN1M5\n";
-    EXPECT_THAT(lines_raised("MAC702", has_default + "#5=360/#2\nG0X#5\nM99\n"), IsEmpty());
-    EXPECT_THAT(lines_raised("MAC702", has_default + "G0X[360/#2]\nM99\n"), IsEmpty());
-    EXPECT_THAT(lines_raised("MAC702", has_default + "G0X1.\n#5=360/#2\nG0X#5\nM99\n"), ElementsAre(6));
-    EXPECT_THAT(lines_raised("MAC702", has_default + "X1.Y1.\n#5=360/#2\nG0X#5\nM99\n"), ElementsAre(6));
-    EXPECT_THAT(lines_raised("MAC702", has_default + "G65P9002\n#5=360/#2\nG0X#5\nM99\nO9002\nG0X0\nM99\n"),
-                ElementsAre(6));
-    // In a loop the first time counts.
-    EXPECT_THAT(
-        lines_raised("MAC702", has_default + "#30=0\nN5#5=360/#2\nG0X#5\n#30=#30+1\nIF[#30LT#2]GOTO5\nM99\n"),
-        IsEmpty());
-    // No default.
-    EXPECT_THAT(lines_raised("MAC702", "O9001\nIF[#2EQ#0]GOTO9\n#5=360/#2\nG0X#5\nM99\nN9#3000=1\n"),
-                ElementsAre(3));
-}
-
 TEST(DivisionByZero, ThatOneOfTwoPathsEscapesIsNotCertain) {
     EXPECT_THAT(lines_raised("MAC702", "O9001\n#1=0\nIF[#2EQ1]THEN#1=3\n#5=#2/#1\nM99\n"), IsEmpty());
     EXPECT_THAT(lines_raised("MAC702", "O9001\n#1=0\nIF[#1EQ0]GOTO9\n#5=#2/#1\nN9 M99\n"), IsEmpty());

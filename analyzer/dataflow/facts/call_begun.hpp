@@ -1,8 +1,8 @@
 //! What a call begins a program with that may end in an alarm.
 #pragma once
 
+#include "analyzer/dataflow/domain/known_start.hpp"
 #include "analyzer/dataflow/facts/fact_set.hpp"
-#include "analyzer/dataflow/solver/known_start.hpp"
 #include "analyzer/flow/graph.hpp"
 
 namespace maclint::dataflow {

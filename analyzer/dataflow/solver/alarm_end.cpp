@@ -33,7 +33,8 @@ class Finder {
         const auto in_text = [this](flow::NodeId node) { return is_in_text(graph_, node); };
         const auto reached = [this](flow::NodeId node) -> bool { return reached_[node]; };
         AlarmEnd end;
-        end.possible = any_node(reached, [this](flow::NodeId node) { return alarms(node); });
+        end.possible = std::ranges::any_of(graph_.with_effects,
+                                           [&](flow::NodeId node) { return reached(node) && alarms(node); });
         end.works = any_node(in_text, [this](flow::NodeId node) { return works(node); });
         if (!end.possible) return end;
         end.always = !returns && has_only_alarms(reached);

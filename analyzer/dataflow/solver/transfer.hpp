@@ -1,10 +1,10 @@
 //! What the effects of one node do to a state.
 #pragma once
 
+#include "analyzer/dataflow/domain/known_start.hpp"
 #include "analyzer/dataflow/domain/state.hpp"
 #include "analyzer/dataflow/facts/fact_lists.hpp"
 #include "analyzer/dataflow/solver/index_reach.hpp"
-#include "analyzer/dataflow/solver/known_start.hpp"
 #include "analyzer/dataflow/solver/summary.hpp"
 #include "analyzer/program/modal_groups.hpp"
 
