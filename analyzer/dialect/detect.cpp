@@ -136,7 +136,7 @@ Detection judge(Content content, std::string_view text, const std::string& exten
         return {find_dialect("dinplus"), found.evidence.reason(language), false, certain};
     if (language != Language::fanuc) return foreign(found.evidence, language);
     if (found.nct_line != 0)
-        return {find_dialect("nct"), "an NCT form in line " + std::to_string(found.nct_line), false, certain};
+        return {find_dialect("nct"), "an NCT form on line " + std::to_string(found.nct_line), false, certain};
     Detection detected{
         fanuc, extension.empty() ? std::string("content") : "extension ." + extension + " and content", false,
         certain};

@@ -40,12 +40,12 @@ struct Dialect {
 /// What a file's extension and content say. Without a dialect the file is not ours: `reason` says what it is.
 struct Detection {
     const Dialect* dialect;
-    std::string reason; ///< "extension .nc", "HEIDENHAIN Klartext (BEGIN PGM in line 1)"
+    std::string reason; ///< "extension .nc", "HEIDENHAIN Klartext (BEGIN PGM on line 1)"
     bool not_nc_text; ///< no NC program of any kind (binary, C, JSON, noise): MAC003 when the user named the
                       ///< file
     bool certain;     ///< the text bears marks of the dialect; else nothing in it speaks for another
     std::string_view control = {};   ///< that the text bears marks of; empty: none
-    std::string control_reason = {}; ///< "'#30003.036' in line 5"
+    std::string control_reason = {}; ///< "'#30003.036' on line 5"
 };
 [[nodiscard]] Detection detect_dialect(const Source& source);
 

@@ -120,7 +120,7 @@ std::string vendor_line(const SnapshotFile& file, const ReadFile& read) {
     if (file.settings.vendor == VendorCode::none) return "";
     const auto programs = programs_with_rights(*read.file);
     if (programs.empty()) return "";
-    return withheld("the remark in line " +
+    return withheld("the remark on line " +
                     std::to_string(read.source->position(programs.front().remark.begin).line));
 }
 

@@ -23,7 +23,7 @@ std::vector<Finding> other_control(const ProgramFile& file, const Dialect& diale
     Reporter reporter(rule);
     std::string marks;
     for (const OtherControl::Mark& mark : found->marks)
-        marks += (marks.empty() ? "" : ", ") + mark.text + " in line " +
+        marks += (marks.empty() ? "" : ", ") + mark.text + " on line " +
                  std::to_string(file.source->position(mark.place.begin).line);
     const Span first = found->marks.front().place;
     const bool named = !found->name.empty();

@@ -31,20 +31,20 @@ extern const Rule call_ends_in_alarm{
     .data_flow = true,
     .messages =
         {{"left-out",
-          "Call ends in an alarm: '{0}' leaves {1} vacant, and {2} then always comes to '{3}' in line {4}.",
+          "Call ends in an alarm: '{0}' leaves {1} vacant, and {2} then always comes to '{3}' on line {4}.",
           "Pass it."},
          {"order",
           "Call ends in an alarm: of I, J and K in '{0}' one stands behind a later one and counts as a "
           "second "
-          "one, which leaves {1} vacant; {2} then always comes to '{3}' in line {4}.",
+          "one, which leaves {1} vacant; {2} then always comes to '{3}' on line {4}.",
           "Write them in this order."},
          {"vacant",
-          "Call ends in an alarm: with what '{0}' leaves out, {2} always comes to '{3}' in line {4}.",
+          "Call ends in an alarm: with what '{0}' leaves out, {2} always comes to '{3}' on line {4}.",
           "Pass what it asks for."},
          {"fallen-in",
-          "Call ends in an alarm: {2} runs into '{3}' in line {4} on every path, whatever '{0}' passes.",
+          "Call ends in an alarm: {2} runs into '{3}' on line {4} on every path, whatever '{0}' passes.",
           "End {2} before that, with M99 or a GOTO."},
-         {"always", "Call ends in an alarm: {2} comes to '{3}' in line {4}, whatever '{0}' passes.",
+         {"always", "Call ends in an alarm: {2} comes to '{3}' on line {4}, whatever '{0}' passes.",
           "Delete the call, or correct {2}."}},
     .bad = {{"fanuc", R"nc(
 O0001(MAIN)

@@ -29,7 +29,7 @@ extern const Rule end_in_subprogram{
     .precision = Precision::high,
     .data_flow = true,
     .messages = {{"ends",
-                  "End in a called program: {0} calls {1} in line {2}, and '{3}' ends the whole job there.",
+                  "End in a called program: {0} calls {1} on line {2}, and '{3}' ends the whole job there.",
                   "Return with {4} instead."}},
     .bad = {{"fanuc", R"nc(
 O0001(MAIN)

@@ -33,7 +33,7 @@ extern const Rule g66_not_cancelled{
           "the macro.",
           "Write G67 before the program is left."},
          {"tool",
-          "Modal call at a tool change: '{0}' is still active in line {1}, whose moves call the macro.",
+          "Modal call at a tool change: '{0}' is still active on line {1}, whose moves call the macro.",
           "Write G67 before line {1}."}},
     .bad = {{"fanuc", R"nc(
 O9413(ROW)

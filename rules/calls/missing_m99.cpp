@@ -41,7 +41,7 @@ extern const Rule missing_m99{
           "that the program does not return.",
           "Add {0} after this block."},
          {"other-exit",
-          "Missing {0}: a path through {1} ends after this block without it, another with it in line "
+          "Missing {0}: a path through {1} ends after this block without it, another with it on line "
           "{2}.",
           "Add {0} after this block."},
          {"argument",
@@ -49,7 +49,7 @@ extern const Rule missing_m99{
           "{0}, so that it does not return.",
           "Add {0} after this block."},
          {"state",
-          "Missing {0}: {1} saves a modal state of its caller in line {2} and puts it back, but ends "
+          "Missing {0}: {1} saves a modal state of its caller on line {2} and puts it back, but ends "
           "after this block without {0}, so that it does not return.",
           "Add {0} after this block."},
          {"empty-end", "Missing {0}: '{2}' leads to the end of {1}, which ends after this block without {0}.",

@@ -22,7 +22,7 @@ extern const Rule case_without_break{
            "next branch may run, too.",
     .severity = Severity::warning,
     .precision = Precision::high,
-    .messages = {{"plain", "Missing BREAK: the branch of '{0}' runs into '{1}' in line {2}.",
+    .messages = {{"plain", "Missing BREAK: the branch of '{0}' runs into '{1}' on line {2}.",
                   "Add BREAK after its last block."}},
     .bad = {{"dinplus", R"nc(
 MACHINING

@@ -20,7 +20,7 @@ extern const Rule content_after_end{
     .severity = Severity::warning,
     .precision = Precision::high,
     .needs = {Capability::sections},
-    .messages = {{"plain", "Block after the end: '{0}' stands after {1} in line {2} and never runs.",
+    .messages = {{"plain", "Block after the end: '{0}' stands after {1} on line {2} and never runs.",
                   "Move it before {1}, or remove it."}},
     .bad = {{"dinplus", R"nc(
 MACHINING

@@ -38,7 +38,7 @@ extern const Rule radius_comp_not_cancelled{
     .facts = dataflow::facts<dataflow::BeforeToolChange, dataflow::BeforeWatchedWord, dataflow::ModalWrite,
                              dataflow::CallMade, dataflow::ExitState, dataflow::Store, dataflow::Clobber>(),
     .data_flow = true,
-    .messages = {{"tool", "Radius compensation left on: '{0}' is still active at '{2}' in line {3}.",
+    .messages = {{"tool", "Radius compensation left on: '{0}' is still active at '{2}' on line {3}.",
                   "Write {1} before line {3}."},
                  {"every-path", "Radius compensation left on: '{0}' is still active when the program ends.",
                   "Write {1} before the end."},

@@ -22,7 +22,7 @@ extern const Rule do_without_end{
     .messages = {{"plain", "Missing END: '{0}' is never closed, and the control stops here.",
                   "Add the END after the loop's last block."},
                  {"other-number",
-                  "Loop numbers differ: '{0}' has no END, and '{1}' in line {2} closes no loop.",
+                  "Loop numbers differ: '{0}' has no END, and '{1}' on line {2} closes no loop.",
                   "Give both the same number."}},
     .bad = {{"fanuc", R"nc(
 O9312(ROW)

@@ -112,7 +112,7 @@ void report(const ProgramAnalysis& analysis, const std::vector<RepeatedNumber>& 
     const Span place = at_jump ? jump : block;
     Finding& finding =
         reporter.report({analysis, place}, place, message_for(first),
-                        {"'" + quoted(analysis.program(), jump) + "' in line " + line(jump),
+                        {"'" + quoted(analysis.program(), jump) + "' on line " + line(jump),
                          std::to_string(first.number), line(first.taken), line(first.missed), cure});
     if (first.doubling == Doubling::harmless) finding.severity = Severity::note;
     for (const RepeatedNumber& repeated : alike) add_places(analysis, repeated, finding);

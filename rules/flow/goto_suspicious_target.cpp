@@ -26,7 +26,7 @@ extern const Rule goto_suspicious_target{
     .severity = Severity::warning,
     .precision = Precision::high,
     .messages = {{"plain",
-                  "Jump to an alarm: '{0}' leads to line {1}, and nothing leads to N{2} in line {3}.",
+                  "Jump to an alarm: '{0}' leads to line {1}, and nothing leads to N{2} on line {3}.",
                   "Jump to N{2} if that was meant."}},
     .bad = {{"fanuc", R"nc(
 O9302(DEPTH, Z)

@@ -25,11 +25,11 @@ extern const Rule unreachable_code{
     .yields_to = "MAC302",
     .messages = {{"alarm", "Unreachable alarm: no jump leads to N{0}, so that '{1}' is never raised.",
                   "Add the test that was to lead there, or delete it."},
-                 {"after", "Unreachable: '{0}' stands behind '{1}' in line {2} and is never run.",
+                 {"after", "Unreachable: '{0}' stands behind '{1}' on line {2} and is never run.",
                   "Move it before that, jump to it, or delete it."},
-                 {"passed", "Unreachable: '{0}' stands behind '{1}' in line {2} and is never run.",
+                 {"passed", "Unreachable: '{0}' stands behind '{1}' on line {2} and is never run.",
                   "Move it before that, jump to it, or delete it.", true},
-                 {"block", "Unreachable: no jump leads to N{0}, and '{1}' in line {2} passes it.",
+                 {"block", "Unreachable: no jump leads to N{0}, and '{1}' on line {2} passes it.",
                   "Add the jump that was to lead there, or delete the blocks.", true}},
     .bad = {{"fanuc", R"nc(
 O9460(POCKET, X Y)

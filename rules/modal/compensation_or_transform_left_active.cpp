@@ -83,7 +83,7 @@ std::string cure(const ProgramAnalysis& analysis, const queries::ModalLeak& leak
     const Span set = queries::span_of_origin(analysis, leak.part.origin);
     const auto retreat = queries::last_move_before(analysis, leak.exit->exit);
     if (!retreat || retreat->begin <= set.begin) return before;
-    return "Write " + words + " into a straight retreat (the last move is in line " +
+    return "Write " + words + " into a straight retreat (the last move is on line " +
            line_number(analysis.file(), retreat->begin) + ")";
 }
 

@@ -29,7 +29,7 @@ extern const Rule restore_from_wrong_variable{
     .facts = dataflow::facts<dataflow::ModalWrite, dataflow::Store>(),
     .data_flow = true,
     .messages = {{"value", "Wrong value put back: '{0}' takes '{1}', which is not the {2}.",
-                  "Write {3} in line {4}."},
+                  "Write {3} on line {4}."},
                  {"code", "Wrong value put back: '{0}' takes '{1}', which is no G code.",
                   "In line {2}, save the variable of the group that is meant."}},
     .bad = {{"fanuc", R"nc(

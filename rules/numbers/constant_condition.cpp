@@ -37,7 +37,7 @@ extern const Rule constant_condition{
                   "Exchange AND and OR, or correct a comparison."},
                  {"number", "Condition {1} true: '{0}', because {3} is {4} since line {2}.",
                   "Correct it, or remove it."},
-                 {"tested", "Condition {1} true: '{0}', because of the test '{3}' in line {2}.",
+                 {"tested", "Condition {1} true: '{0}', because of the test '{3}' on line {2}.",
                   "Correct one of them."},
                  {"repeated", "Condition {1} true: '{0}', because line {2} asks the same and leaves.",
                   "Ask here for what was meant{4}, or remove the block."}},

@@ -37,9 +37,9 @@ extern const Rule domain_error{
     .data_flow = true,
     .messages =
         {{"outside", "No result: '{0}' is given {1}, for which it has none.", "Correct the operand."},
-         {"passed", "No result: '{0}' has none for what the call in line {3} of {4} passes.",
+         {"passed", "No result: '{0}' has none for what the call on line {3} of {4} passes.",
           "Pass other values, or check them first."},
-         {"left-out", "No result: '{0}' has none, as the call in line {3} of {4} leaves out {2}.",
+         {"left-out", "No result: '{0}' has none, as the call on line {3} of {4} leaves out {2}.",
           "Pass it, or check it first."},
          {"lets-zero-pass",
           "No result in some cases: '{3}' lets {2} pass when it is 0, and '{0}' stops the control then.",

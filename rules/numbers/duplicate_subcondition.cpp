@@ -23,7 +23,7 @@ extern const Rule duplicate_subcondition{
         {{"part", "Same test twice in one condition: '{0}'.",
           "Ask for the variable or the number that was meant, or remove one of the two."},
          {"case",
-          "Same test twice: '{0}' in line {1} asks the same, and what it sets ({2}) is replaced here.",
+          "Same test twice: '{0}' on line {1} asks the same, and what it sets ({2}) is replaced here.",
           "Ask for the case that was meant."}},
     .bad = {{"fanuc", R"nc(
 O9719(ROUND, D DIAMETER R RADIUS)

@@ -22,7 +22,7 @@ extern const Rule missing_tolerance{
     .facts = dataflow::facts<dataflow::Comparison>(),
     .messages = {{"exact",
                   "Tolerance missing: '{0}' compares a position with what is calculated for it, where '{1}' "
-                  "in line {2} allows for {3}.",
+                  "on line {2} allows for {3}.",
                   "Allow for {3} here, too."}},
     .bad = {{"fanuc", R"nc(
 O9726(PROBE, X WAY Z DEPTH F FEED)

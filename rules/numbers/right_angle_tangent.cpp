@@ -34,10 +34,10 @@ extern const Rule right_angle_tangent{
     .messages =
         {{"right-angle", "Tangent of a right angle: '{0}' has no value, its angle is {1}.",
           "Treat that angle on a path of its own."},
-         {"passed", "Tangent of a right angle: the angle of '{0}' is one for the call in line {3} of {4}.",
+         {"passed", "Tangent of a right angle: the angle of '{0}' is one for the call on line {3} of {4}.",
           "Pass another angle, or treat that one on a path of its own."},
          {"left-out",
-          "Tangent of a right angle: the call in line {3} of {4} leaves out {2}, which counts as 0, and "
+          "Tangent of a right angle: the call on line {3} of {4} leaves out {2}, which counts as 0, and "
           "the angle of '{0}' is one then.",
           "Pass it, or check it first."},
          {"lets-zero-pass",

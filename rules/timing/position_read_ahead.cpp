@@ -33,11 +33,11 @@ extern const Rule position_read_ahead{
     .data_flow = true,
     .messages =
         {{"offset",
-          "Position read too early: '{0}' may be read before the move in line {1} has ended, and '{2}' "
+          "Position read too early: '{0}' may be read before the move on line {1} has ended, and '{2}' "
           "makes an offset of it.",
           "Stop look-ahead after the move, as by G53 in a block of its own."},
          {"compared",
-          "Position read too early: '{0}' may be read before the move in line {1} has ended, and '{2}' "
+          "Position read too early: '{0}' may be read before the move on line {1} has ended, and '{2}' "
           "compares it.",
           "Stop look-ahead after the move, as by G53 in a block of its own."}},
     .bad = {{"fanuc", R"nc(

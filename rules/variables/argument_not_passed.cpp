@@ -29,7 +29,7 @@ extern const Rule argument_not_passed{
     .facts = dataflow::facts<dataflow::Read, dataflow::Comparison, dataflow::Store, dataflow::Clobber>(),
     .data_flow = true,
     .messages = {{"left-out",
-                  "{0} is vacant here and counts as 0: the call in line {1} of {2} leaves it out. "
+                  "{0} is vacant here and counts as 0: the call on line {1} of {2} leaves it out. "
                   "Pass it, or test {0} with EQ #0 first."}},
     .bad = {{"fanuc", R"nc(
 O0210(PLATE)

@@ -32,7 +32,7 @@ extern const Rule argument_unused{
                  {"several", "Arguments never read: {0} reads none of {1}, which this call passes.",
                   "Correct the letters, or leave them out."},
                  {"overwritten",
-                  "Argument never read: {0} sets {1}, which '{2}' passes, in line {3} before it reads it.",
+                  "Argument never read: {0} sets {1}, which '{2}' passes, on line {3} before it reads it.",
                   "Read it first, or leave it out of the call."}},
     .bad = {{"fanuc", R"nc(
 O0211(PLATE)

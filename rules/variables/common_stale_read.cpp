@@ -32,7 +32,7 @@ extern const Rule common_stale_read{
                   "line {3} asks for.",
                   "Set it in that case, too, or refuse the case with an alarm."},
                  {"limit",
-                  "Value from the run before: '{0}' looks at {1}, which the program sets in line {2} only.",
+                  "Value from the run before: '{0}' looks at {1}, which the program sets on line {2} only.",
                   "Move the check behind that line, or correct the variable."}},
     .bad = {{"fanuc", R"nc(
 O9216(PASSES)

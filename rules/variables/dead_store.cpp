@@ -31,10 +31,10 @@ extern const Rule dead_store{
     .precision = Precision::high,
     .facts = dataflow::facts<dataflow::Store, dataflow::Read>(),
     .data_flow = true,
-    .messages = {{"replaced", "Value lost: '{0}' is replaced in line {2} before anything reads {1}.",
+    .messages = {{"replaced", "Value lost: '{0}' is replaced on line {2} before anything reads {1}.",
                   "Set the variable that was meant, or remove one of the two."},
                  {"replaced-after",
-                  "Value lost: '{0}' is replaced on every path, first in line {2}, before "
+                  "Value lost: '{0}' is replaced on every path, first on line {2}, before "
                   "anything reads {1}.",
                   "Set the variable that was meant, or remove one of the two."},
                  {"unread", "Value never used: nothing reads {1} after '{0}'.",

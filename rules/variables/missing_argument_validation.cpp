@@ -29,7 +29,7 @@ extern const Rule missing_argument_validation{
     .data_flow = true,
     .messages =
         {{"left-out",
-          "Loop bound missing: {2} goes on to {1} in '{0}', which the call in line {3} of {4} leaves out.",
+          "Loop bound missing: {2} goes on to {1} in '{0}', which the call on line {3} of {4} leaves out.",
           "Pass it, or check it before the loop."},
          {"others-checked",
           "Loop bound unchecked: the program checks {3}, but not {1}, to which {2} goes on in '{0}'.",

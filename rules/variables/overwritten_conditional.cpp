@@ -22,7 +22,7 @@ extern const Rule overwritten_conditional{
     .facts = dataflow::facts<dataflow::Store, dataflow::Read>(),
     .data_flow = true,
     .messages = {{"lost",
-                  "Special case lost: '{0}', which depends on '{1}', is replaced by '{2}' in line {3} "
+                  "Special case lost: '{0}', which depends on '{1}', is replaced by '{2}' on line {3} "
                   "before anything reads {4}.",
                   "Put the special case after line {3}, or jump over that line."}},
     .bad = {{"fanuc", R"nc(

@@ -33,7 +33,7 @@ extern const Rule unchecked_offset_number{
     .data_flow = true,
     .messages =
         {{"left-out",
-          "Offset number missing: '{0}' picks an offset by {1}, which the call in line {2} of {3} leaves "
+          "Offset number missing: '{0}' picks an offset by {1}, which the call on line {2} of {3} leaves "
           "out.",
           "Pass it, or check it first."},
          {"others-checked",

@@ -37,10 +37,10 @@ extern const Rule vacancy_test_never_true{
           "{3}).",
           "Compare it with 0 if the value 0 is meant."},
          {"overwritten",
-          "Test of an overwritten variable: '{0}' is {1} true, because {2} got another value in line {3}.",
+          "Test of an overwritten variable: '{0}' is {1} true, because {2} got another value on line {3}.",
           "Test the value from the call before that."},
          {"kept",
-          "Test of an overwritten variable: '{0}' is {1} true, because {2} got another value in line {3}.",
+          "Test of an overwritten variable: '{0}' is {1} true, because {2} got another value on line {3}.",
           "Its value from the call is in {4}: test that."}},
     .bad = {{"fanuc", R"nc(
 O9228(DRILL, Z DEPTH)

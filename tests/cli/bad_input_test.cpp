@@ -150,7 +150,7 @@ TEST_F(BadInput, TextOfAnotherKind) {
             AllOf(StartsWith("maclint: note: c-source.nc: this is not linted: "), HasSubstr("--dialect")),
             AllOf(StartsWith("maclint: note: json.nc: this is not linted: JSON"), HasSubstr("--dialect")),
             AllOf(StartsWith("maclint: note: klartext-named.nc: this is not linted: "), HasSubstr("Klartext"),
-                  HasSubstr("in line 1"), HasSubstr("--dialect"))));
+                  HasSubstr("on line 1"), HasSubstr("--dialect"))));
     const Finished named = lint({"neighbour.nc", "c-source.nc", "json.nc"});
     EXPECT_THAT(codes(named, "c-source.nc"), ElementsAre("1:1 MAC003"));
     EXPECT_THAT(codes(named, "json.nc"), ElementsAre("1:1 MAC003"));

@@ -18,7 +18,7 @@ using testing::IsEmpty;
 using testing::Not;
 using testing::StartsWith;
 
-constexpr std::string_view bad = "%\nO1001\nN10 G0 X1.\nN20 GOTO 99\nN30 M30\n%\n"; // MAC301 in line 4
+constexpr std::string_view bad = "%\nO1001\nN10 G0 X1.\nN20 GOTO 99\nN30 M30\n%\n"; // MAC301 on line 4
 // The same, moved, numbered and spaced otherwise, with other line ends.
 constexpr std::string_view bad_moved =
     "%\r\nO1001\r\n(NEW)\r\nN100 G0X1.\r\nN200  goto 99\r\nN300 M30\r\n%\r\n";

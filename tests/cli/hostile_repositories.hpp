@@ -22,7 +22,7 @@ struct HostileSetting {
 /// Names of githooks(5).
 [[nodiscard]] std::span<const std::string_view> hook_names();
 
-/// What the shell makes of a repository with one commit whose O1001.nc was changed in line 5 since; --since
+/// What the shell makes of a repository with one commit whose O1001.nc was changed on line 5 since; --since
 /// runs in the folder that the script ends in. "$repository" is the folder it begins in, "$ran" the command
 /// that must not run, "$all" a file with all settings above, "$hooks" the names of hooks, "$outside" a folder
 /// beside.

@@ -41,7 +41,7 @@ std::string with_wrong_blocks(int bad, int blocks) {
 TEST(OtherControl, TwoMarksAreOneFindingThatSaysWhichWhatToDoAndHowMuchIsWithheld) {
     EXPECT_THAT(test::codes(test::lint_text(lnc_program)), ElementsAre("MAC005"));
     EXPECT_THAT(only_message(lnc_program),
-                AllOf(HasSubstr("LNC"), HasSubstr("'R_SKIP[' in line 2"), HasSubstr("--dialect fanuc"),
+                AllOf(HasSubstr("LNC"), HasSubstr("'R_SKIP[' on line 2"), HasSubstr("--dialect fanuc"),
                       HasSubstr(" findings, withheld")));
 }
 
@@ -107,7 +107,7 @@ TEST(OtherControl, TheHabitOfRemarksAfterSemicolonsIsOne) {
     const std::string remarks =
         "O1\n; measure the bore\n#1=5 ; depth\nG65P2A#1 ; call it\n; done\nGOTO7\nM30\n";
     EXPECT_THAT(test::codes(test::lint_text(remarks)), ElementsAre("MAC005"));
-    EXPECT_THAT(only_message(remarks), AllOf(HasSubstr("remarks after ';'"), HasSubstr("in line 2")));
+    EXPECT_THAT(only_message(remarks), AllOf(HasSubstr("remarks after ';'"), HasSubstr("on line 2")));
     EXPECT_THAT(
         test::codes(test::lint_text("O1\n; measure the bore\nG0X1. ; depth\nG100P2(<FMT:.1F,#10>)\nM30\n")),
         ElementsAre("MAC005"));

@@ -121,7 +121,7 @@ TEST(TextReport, ShowsMessagePlaceAndRows) {
               "1 error in 1 file (1 checked)\n");
 }
 
-/// A finding at 'GOTO 4' with a path from line 2 over 3, and what happens in line 5 after it.
+/// A finding at 'GOTO 4' with a path from line 2 over 3, and what happens on line 5 after it.
 HandMade with_path() {
     HandMade made("O1.nc", "O1\nS200\nIF[#1EQ1]GOTO4\nGOTO 4\nN4 M99\n");
     Finding& finding = made.add("GOTO 4", Severity::warning);

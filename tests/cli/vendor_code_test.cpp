@@ -14,7 +14,7 @@ using testing::HasSubstr;
 using testing::IsEmpty;
 using testing::Not;
 
-/// A warning, MAC209 in line 6, and what `more` is.
+/// A warning, MAC209 on line 6, and what `more` is.
 std::string macro(const std::string& number, const std::string& remark, const std::string& more = "") {
     return "%\nO" + number + "(BORE)\n" + remark + "\nIF[#24EQ#0]GOTO5\n#31=#24\nN5G0X#31\n" + more +
            "M99\n%\n";
@@ -116,7 +116,7 @@ TEST_F(VendorCode, IsKnownToABaselineLikeAllOther) {
 
 TEST_F(VendorCode, IsSaidWithItsReasonByShowConfig) {
     EXPECT_THAT(run({"--show-config", "probe"}).out,
-                HasSubstr("vendor code    only errors count (the remark in line 3)"));
+                HasSubstr("vendor code    only errors count (the remark on line 3)"));
     EXPECT_THAT(run({"--show-config", "own"}).out, Not(HasSubstr("vendor code")));
     folder.write(".maclint.json", R"({ "vendor": [ "own" ] })");
     EXPECT_THAT(run({"--show-config", "own"}).out, HasSubstr("only errors count (.maclint.json: vendor)"));

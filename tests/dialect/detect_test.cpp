@@ -166,11 +166,11 @@ TEST(Detection, ALineOfManyWordsTakesNoTime) {
 }
 
 TEST(Detection, TheNoteSaysWhatGaveTheLanguageAwayAndWhere) {
-    EXPECT_EQ(detect("a.nc", "G0 X5\n\no100 sub\no100 endsub\n").reason, "LinuxCNC (an o-word in line 3)");
+    EXPECT_EQ(detect("a.nc", "G0 X5\n\no100 sub\no100 endsub\n").reason, "LinuxCNC (an o-word on line 3)");
     EXPECT_EQ(detect("a.nc", "G0\n\r\rG1\n\r\r0 BEGIN PGM A MM\n").reason,
-              "HEIDENHAIN Klartext (BEGIN PGM in line 3)");
+              "HEIDENHAIN Klartext (BEGIN PGM on line 3)");
     EXPECT_EQ(detect("a.nc", "G0\n\rG1\n\r0 BEGIN PGM A MM\n").reason,
-              "HEIDENHAIN Klartext (BEGIN PGM in line 3)");
+              "HEIDENHAIN Klartext (BEGIN PGM on line 3)");
     EXPECT_EQ(detect("a.spf", "G0 X5\n").reason, "SINUMERIK (extension .spf)");
     EXPECT_FALSE(detect("a.nc", "o100 sub\no100 endsub\n").not_nc_text);
 }

@@ -52,7 +52,7 @@ void LiveStores::observe(execution::Stepper& stepper, const execution::Event& ev
                            return;
                        refuted_ = by->program().name + ", line " +
                                   std::to_string(line_of(*by, by->program().effects[effect].span.begin)) +
-                                  ": the store is said to be dead, and is read in line " +
+                                  ": the store is said to be dead, and is read on line " +
                                   std::to_string(line_of(
                                       analysis, analysis.program().expressions[read.expression].span.begin));
                    },

@@ -61,7 +61,7 @@ std::vector<std::string> edges_in(const std::string& fanuc) {
     return edges_of(test::analyse_fanuc(fanuc)->programs().front());
 }
 
-/// Of a MACHINING section that begins in line 2.
+/// Of a MACHINING section that begins on line 2.
 std::vector<std::string> din_edges_in(const std::string& machining) {
     return edges_of(test::analyse_text("dinplus", "MACHINING\n" + machining)->programs().front());
 }

@@ -136,12 +136,12 @@ class Comparing(unittest.TestCase):
 
     def test_a_place_moves_with_its_block(self):
         text, edits = 'O1\nX1.\n', [insert(3, '(K)\n')]
-        before = [finding('MAC1', 3, 6, "'X1.' in line 2.")]
-        moved = [finding('MAC1', 7, 10, "'X1.' in line 3.")]
+        before = [finding('MAC1', 3, 6, "'X1.' on line 2.")]
+        moved = [finding('MAC1', 7, 10, "'X1.' on line 3.")]
         self.assertEqual(self.compared('comment-lines', text, edits, before, moved), ([], []))
-        for other in (finding('MAC1', 7, 9, "'X1.' in line 3."), finding('MAC1', 7, 10, "'X1.' in line 4."),
-                      finding('MAC1', 7, 10, "'X2.' in line 3."), finding('MAC1', 7, 10, "'X1.' in line 3.", 'note'),
-                      finding('MAC2', 7, 10, "'X1.' in line 3.")):
+        for other in (finding('MAC1', 7, 9, "'X1.' on line 3."), finding('MAC1', 7, 10, "'X1.' on line 4."),
+                      finding('MAC1', 7, 10, "'X2.' on line 3."), finding('MAC1', 7, 10, "'X1.' on line 3.", 'note'),
+                      finding('MAC2', 7, 10, "'X1.' on line 3.")):
             self.assertEqual(self.compared('comment-lines', text, edits, before, [other]), (['MAC1'], [other['code']]))
         self.assertEqual(self.compared('comment-lines', text, edits, before * 2, moved), (['MAC1'], []))
 

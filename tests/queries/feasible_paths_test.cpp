@@ -458,7 +458,7 @@ TEST(FeasiblePaths, WhatRoundsChangeByAFractionIsComparedAsAFraction) {
 }
 
 TEST(FeasiblePaths, AFailureCountsOnlyWhereTheCallersCodesAreTheSame) {
-    // Who comes past THEN in line 4 has shown that code 5 is in force, and never comes into it.
+    // Who comes past THEN on line 4 has shown that code 5 is in force, and never comes into it.
     const std::string text = "O1\nN1IF[#100GT#101]GOTO3\nN2#1=#4109\nN3IF[#4001NE5]THEN#500=#4003\n"
                              "N4IF[#3NE#2]GOTO1\nN5#3=COS[ROUND[#501]]\nN6IF[#7EQ#0]GOTO1\n";
     EXPECT_TRUE(leads_by_way_of(text, 5, 4));

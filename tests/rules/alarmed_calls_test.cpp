@@ -25,7 +25,7 @@ TEST(CallEndsInAlarm, IsToldOfACallThatLeavesOutWhatItsProgramAsksFor) {
     EXPECT_THAT(
         messages_raised("MAC470", "O1\nG65P2B5.\nM30\n" + asks_for_a),
         ElementsAre("Call ends in an alarm: 'G65P2B5.' leaves #1 (A) vacant, and O2 then always comes "
-                    "to '#3000=101(A MISSING)' in line 8. Pass it."));
+                    "to '#3000=101(A MISSING)' on line 8. Pass it."));
     EXPECT_THAT(lines_raised("MAC470", "O1\nG65P2A5.\nG65P2A#500\nM30\n" + asks_for_a), IsEmpty());
     EXPECT_THAT(lines_raised("MAC470", "O1\nG65P2A#0\nM30\n" + asks_for_a), ElementsAre(2));
     // Of what an argument may be nothing is known.
@@ -47,7 +47,7 @@ TEST(CallEndsInAlarm, IsToldBehindATestWhereTheProgramWorks) {
     EXPECT_THAT(lines_raised("MAC470", tested + asks_for_a), ElementsAre(3));
     EXPECT_THAT(
         messages_raised("MAC470", tested + runs_in),
-        ElementsAre("Call ends in an alarm: O2 runs into '#3000=101(A MISSING)' in line 9 on every path, "
+        ElementsAre("Call ends in an alarm: O2 runs into '#3000=101(A MISSING)' on line 9 on every path, "
                     "whatever 'G65P2B5.' passes. End O2 before that, with M99 or a GOTO."));
 }
 
@@ -68,7 +68,7 @@ TEST(CallEndsInAlarm, IsSilentOfCallsThatAreMadeToStop) {
 TEST(CallEndsInAlarm, IsToldWhereEveryPathComesByEvenOfAProgramThatOnlyStops) {
     EXPECT_THAT(
         messages_raised("MAC470", "O1\nM98P3\nG0X1.\nM30\nO3\n#1=5.\nN99#3000=101(STOP)\nM99\n"),
-        ElementsAre("Call ends in an alarm: O3 comes to '#3000=101(STOP)' in line 7, whatever 'M98P3' "
+        ElementsAre("Call ends in an alarm: O3 comes to '#3000=101(STOP)' on line 7, whatever 'M98P3' "
                     "passes. Delete the call, or correct O3."));
 }
 
@@ -82,7 +82,7 @@ TEST(CallEndsInAlarm, NamesTheAlarmOfTheProgramThatIsCalledForIt) {
                                           "O2\nIF[#1EQ#0]GOTO99\nG1X#1F200.\nM99\nN99G65P3\n"
                                           "O3\n#3000=7(NO A)\n"),
                 ElementsAre(AllOf(HasSubstr("'G65P2B5.' leaves #1 (A) vacant"),
-                                  HasSubstr("O3 then always comes to '#3000=7(NO A)' in line 10"))));
+                                  HasSubstr("O3 then always comes to '#3000=7(NO A)' on line 10"))));
 }
 
 TEST(CallEndsInAlarm, NamesTheTestThatDecidesNotAnEarlierOne) {

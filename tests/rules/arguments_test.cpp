@@ -35,7 +35,7 @@ TEST(ArgumentUnused, IsOneThatNoBlockReadsOrThatIsOverwrittenFirst) {
                 ElementsAre(HasSubstr("reads none of #26 (Z), #18 (R) and #17 (Q)")));
     EXPECT_THAT(
         messages_raised("MAC211", call("X1. F2.", "#9=80.\nG1 X#24 F#9\n")),
-        ElementsAre(HasSubstr("O9001 sets #9 (F), which 'F2.' passes, in line 5 before it reads it")));
+        ElementsAre(HasSubstr("O9001 sets #9 (F), which 'F2.' passes, on line 5 before it reads it")));
     EXPECT_THAT(judged("MAC211", call("X1. F2.", "IF[#9EQ#0]THEN #9=80.\nG1 X#24 F#9\n")), IsEmpty());
 }
 

@@ -18,7 +18,7 @@ namespace {
 using testing::ElementsAre;
 using testing::IsEmpty;
 
-constexpr std::string_view jumps_nowhere = "O1\nG65P2\nGOTO9\nM30\n"; // MAC301 in line 3
+constexpr std::string_view jumps_nowhere = "O1\nG65P2\nGOTO9\nM30\n"; // MAC301 on line 3
 
 class EngineTest : public testing::Test {
   protected:

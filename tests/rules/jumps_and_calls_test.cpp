@@ -134,7 +134,7 @@ TEST(MissingReturn, IsReportedInAProgramThatIsWrittenAsAMacro) {
     EXPECT_THAT(said("O1\nIF[#24EQ#0]THEN#24=1.\nG0 X#24\n"), ElementsAre(HasSubstr("works with #24 (X)")));
     EXPECT_THAT(said("O9001\nG0 X#24\n"), ElementsAre(HasSubstr("works with #24 (X)")));
     EXPECT_THAT(said("O1\nG0 X#24 Y#25\nG1 Z#26 F#9\nR#18\n"), ElementsAre(HasSubstr("works with #24,")));
-    EXPECT_THAT(said("O1\n#33=#4003\nG91 G0 X1.\nG#33\n"), ElementsAre(HasSubstr("in line 2")));
+    EXPECT_THAT(said("O1\n#33=#4003\nG91 G0 X1.\nG#33\n"), ElementsAre(HasSubstr("on line 2")));
     EXPECT_THAT(said("O9001\nIF[#500EQ0]GOTO9\nG0 X1.\nGOTO1\nN1#3000=1\nN9 (END)\n"),
                 ElementsAre(HasSubstr("'GOTO9' leads to the end of O9001")));
 }
@@ -219,7 +219,7 @@ TEST(SequenceNumber, IsHarmlessWhereEachJumpTakesTheNextBlock) {
     const std::string part = "IF[#1GT0]GOTO5\n#3=-1\nN5 G0 X#3\n";
     EXPECT_THAT(doublings("O1\n" + part + part + "M30\n"), ElementsAre("note 7"));
     EXPECT_THAT(messages_raised("MAC462", "O1\n" + part + part + "M30\n"),
-                ElementsAre(HasSubstr("'GOTO5' in line 2 goes to line 4, the next one")));
+                ElementsAre(HasSubstr("'GOTO5' on line 2 goes to line 4, the next one")));
 }
 
 TEST(SequenceNumber, IsAWarningWhereAJumpBackPassesTheNearestBlock) {
@@ -227,7 +227,7 @@ TEST(SequenceNumber, IsAWarningWhereAJumpBackPassesTheNearestBlock) {
     EXPECT_THAT(doublings("O1\n" + loop + "#1=0\n" + loop + "M30\n"), ElementsAre("warning 6"));
     EXPECT_THAT(messages_raised("MAC462", "O1\n" + loop + "#1=0\n" + loop + "M30\n"),
                 ElementsAre(HasSubstr(
-                    "'GOTO5' in line 6 takes N5 of line 2, the first of the program, not that of")));
+                    "'GOTO5' on line 6 takes N5 of line 2, the first of the program, not that of")));
     EXPECT_THAT(doublings("O1\n" + loop + "M30\n"), IsEmpty());
 }
 

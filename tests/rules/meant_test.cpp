@@ -137,7 +137,7 @@ TEST(RepeatedNumber, ThatLeadsIntoAnotherPartIsAWarning) {
                                 "N20#1=9\nN5G0Y#1\nM99\n";
     EXPECT_THAT(codes_by_default(strayed), ElementsAre("MAC462"));
     EXPECT_THAT(message(strayed),
-                AllOf(HasSubstr("'GOTO5' in line 5"), HasSubstr("N5 of line 9"), HasSubstr("N5 of line 3")));
+                AllOf(HasSubstr("'GOTO5' on line 5"), HasSubstr("N5 of line 9"), HasSubstr("N5 of line 3")));
     // Copies whose jumps take the next one, each behind an alarm.
     EXPECT_THAT(codes_by_default("O9001\nIF[#24NE#0]GOTO5\n#3000=1(X)\nN5\nIF[#25NE#0]GOTO5\n#3000=2(Y)\n"
                                  "N5G0X#24Y#25\nM99\n"),

@@ -543,7 +543,7 @@ TEST(Suppression, NamesWhatIsSwitchedOff) {
 
 TEST(Restore, NamesWhatToWrite) {
     EXPECT_THAT(messages_raised("MAC505", "O9001\n#3=#4019\nG1 X1 F#9\nF#3\nM99\n"),
-                ElementsAre(HasSubstr("Write #3=#4109 in line 2")));
+                ElementsAre(HasSubstr("Write #3=#4109 on line 2")));
 }
 
 TEST(SavedValue, ThatIsOverwrittenOnOnePathIsLost) {

@@ -367,11 +367,11 @@ TEST(ConstantCondition, OnlyATestThatDecidesItIsItsReason) {
     // Whether #2 was 5 or not, it is not 12.
     EXPECT_THAT(
         message("#2=0\nWHILE[#2LT9]DO1\n#2=#2+1\nIF[#2EQ5]THEN#3=1\nIF[#2EQ12]THEN#4=1\nEND1\nX#3Y#4\n"),
-        HasSubstr("because of the test '[#2LT9]' in line 3"));
+        HasSubstr("because of the test '[#2LT9]' on line 3"));
     EXPECT_THAT(message("WHILE[#2GT3]DO1\n#2=#2-1\nEND1\nIF[#2GT3]THEN#4=1\nX#4\n"),
-                HasSubstr("because of the test '[#2GT3]' in line 2"));
+                HasSubstr("because of the test '[#2GT3]' on line 2"));
     EXPECT_THAT(message("IF[#2LE3]GOTO1\nX1.\nIF[#2LT2]THEN#4=1\nX#4\nN1\n"),
-                HasSubstr("because of the test '[#2LE3]' in line 2"));
+                HasSubstr("because of the test '[#2LE3]' on line 2"));
     EXPECT_THAT(
         message("#1=10\n#2=0\nWHILE[#2LT#1]DO1\n#2=#2+1\nIF[#2EQ5]THEN#3=1\nIF[#2EQ12]THEN#4=1\nEND1\n"
                 "X#3Y#4\n"),

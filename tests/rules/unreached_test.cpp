@@ -43,7 +43,7 @@ TEST(UnreachableCode, IsSilentOnAlarmsWhoseTestIsARemark) {
 TEST(UnreachableCode, StandsBehindAJumpAnAlarmOrAnEnd) {
     const std::string begin = "O9001\nIF[#1EQ2]GOTO5\nG0 X1.\n", end = "N5 M99\n";
     EXPECT_THAT(messages_raised("MAC460", begin + "GOTO5\nG0 Z5.\n" + end),
-                ElementsAre(HasSubstr("'G0 Z5.' stands behind 'GOTO5' in line 4 and is never run")));
+                ElementsAre(HasSubstr("'G0 Z5.' stands behind 'GOTO5' on line 4 and is never run")));
     EXPECT_THAT(judged("MAC460", begin + "GOTO5\nG0 Z5.\n" + end), ElementsAre("note 5"));
     EXPECT_THAT(judged("MAC460", begin + "M99\nM0\n#100=1\n" + end), ElementsAre("warning 6"));
     EXPECT_THAT(lines_raised("MAC460", begin + "#3000=1(X)\nG28 G91 Z0\n" + end), ElementsAre(5));
@@ -88,7 +88,7 @@ TEST(SuspiciousTarget, IsAnAlarmOneDigitAway) {
                "M99\nN6 #3000=1(Z)\nN8 M99\n";
     };
     EXPECT_THAT(messages_raised("MAC302", program("6", "N60 G0 Z50.\n")),
-                ElementsAre(HasSubstr("'GOTO6' leads to line 8, and nothing leads to N60 in line 6")));
+                ElementsAre(HasSubstr("'GOTO6' leads to line 8, and nothing leads to N60 on line 6")));
     EXPECT_THAT(lines_raised("MAC302", program("6", "N16 G0 Z50.\n")), ElementsAre(4));
     EXPECT_THAT(lines_raised("MAC302", program("6", "N61 G0 Z50.\n")), ElementsAre(4));
     EXPECT_THAT(judged("MAC302", program("60", "N60 G0 Z50.\n")), IsEmpty());

@@ -13,7 +13,7 @@
 namespace maclint::test {
 
 constexpr std::string_view without_defect = "%\nO1000 (GOOD)\nG0 X1.\nM30\n%\n";
-/// A Fanuc program with MAC301 in line 4.
+/// A Fanuc program with MAC301 on line 4.
 constexpr std::string_view with_defect = "%\nO1001 (BAD)\nG0 X1.\nGOTO 99\nM30\n%\n";
 
 class InRepository : public testing::Test {

@@ -15,7 +15,7 @@ ROOT = pathlib.Path(__file__).resolve().parents[2]
 EXE = os.environ["MACLINT_EXE"]
 HERE = os.environ["MACLINT"]
 WINE = os.environ.get("WINE", "wine")
-JUMP = "%\nO1001 (BAD)\nG0 X1.\nGOTO 99\nM30\n%\n"  # MAC301 in line 4
+JUMP = "%\nO1001 (BAD)\nG0 X1.\nGOTO 99\nM30\n%\n"  # MAC301 on line 4
 
 
 def run(executable, arguments, folder, text=None, **variables):

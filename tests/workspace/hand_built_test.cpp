@@ -106,7 +106,7 @@ TEST(NamedLabels, ANameThatNoBlockBearsIsNotFound) {
     EXPECT_EQ(target("NOWHERE", LabelSearch::forward_then_backward), 0U);
 }
 
-/// An unconditional jump over the assignment to R1 in line 2.
+/// An unconditional jump over the assignment to R1 on line 2.
 std::vector<std::uint32_t> unreached_after(std::string_view label, MissingLabel missing) {
     HandBuilt built("MAIN.MPF", "GOTOC\nR1=1\nTHERE: M30\n");
     built.block({Jump{built.name(label), LabelSearch::forward_then_backward, missing}});
@@ -132,7 +132,7 @@ TEST(NamedLabels, ABlockIsFoundByItsNumberAndByItsName) {
     EXPECT_EQ(target_of(program(*workspace, "MAIN"), 2), 3U);
 }
 
-/// The lines to which a jump in line 2 can lead whose target only the running program knows.
+/// The lines to which a jump on line 2 can lead whose target only the running program knows.
 std::vector<std::uint32_t> computed_targets(LabelSearch search) {
     HandBuilt built("MAIN.MPF", "N10 FIRST: R1=0\nIF R1==1 GOTO R2\nN20 LAST: M30\n");
     const Variable r1{rows::r, 1};

@@ -129,7 +129,7 @@ std::string ControlEvidence::reason() const {
     const std::string_view control = verdict();
     for (std::size_t i = 0; i < std::size(marks); ++i)
         if (lines_[i] != 0 && marks[i].control == control)
-            text += (text.empty() ? "" : ", ") + std::string(marks[i].called) + " in line " +
+            text += (text.empty() ? "" : ", ") + std::string(marks[i].called) + " on line " +
                     std::to_string(lines_[i]);
     return text;
 }

@@ -18,7 +18,7 @@ class ControlEvidence {
 
     /// The control's name; empty: nothing speaks for one.
     [[nodiscard]] std::string_view verdict() const;
-    /// The marks and where they stand: "'#30003.036' in line 5".
+    /// The marks and where they stand: "'#30003.036' on line 5".
     [[nodiscard]] std::string reason() const;
 
   private:

@@ -531,7 +531,7 @@ std::string Evidence::reason(Language language) const {
     }
     if (best == nullptr || extension_points(extension_, language) > best->points)
         return "extension ." + std::string(extension_);
-    return spell(*best) + " in line " + std::to_string(line);
+    return spell(*best) + " on line " + std::to_string(line);
 }
 
 } // namespace maclint::detect

@@ -55,7 +55,7 @@ class Evidence {
     [[nodiscard]] int points(Language language) const;
     /// The language with most points, if they are enough and more than Fanuc has; else Fanuc.
     [[nodiscard]] Language verdict() const;
-    /// The weightiest signature of the language and where it stands: "an o-word in line 3", "extension .mpf".
+    /// The weightiest signature of the language and where it stands: "an o-word on line 3", "extension .mpf".
     [[nodiscard]] std::string reason(Language language) const;
     /// A signature that was seen, and where first.
     struct Seen {
