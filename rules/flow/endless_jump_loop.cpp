@@ -20,14 +20,17 @@ extern const Rule endless_jump_loop{
                " stop",
     .why = "The control repeats the blocks until somebody presses reset. A note where all moves of a program "
            "that nobody calls lie in the cycle, and a return stands behind it, which would begin it again as "
-           "well.",
+           "well: it is told on request, for programs that run an axis in are meant so.",
     .severity = Severity::error,
     .precision = Precision::high,
     .needs = {Capability::jumps},
     .data_flow = true,
     .messages = {{"plain",
                   "Endless loop: '{0}' goes back to line {1}, and nothing in between ever leaves it.",
-                  "Count the passes, or leave them with IF and GOTO."}},
+                  "Count the passes, or leave them with IF and GOTO."},
+                 {"whole",
+                  "Endless program: '{0}' goes back to line {1}, and nothing in between ever leaves it.",
+                  "Count the passes, or leave them with IF and GOTO.", true}},
     .bad = {{"fanuc", R"nc(
 O9336(WAIT)
 N10 G0 X0
@@ -56,11 +59,12 @@ void check(const ProgramAnalysis& analysis, Reporter& reporter) {
         // Loops of the text and conditions that never hold are reported by their own rules.
         if (!jump || !queries::is_endless_by_jumps(cycle)) continue;
         const Span span = analysis.program().effects[*jump].span;
+        const bool is_whole = queries::repeats_whole_program(analysis, cycle);
         Finding& finding =
-            reporter.report({analysis, *jump}, span, "plain",
+            reporter.report({analysis, *jump}, span, is_whole ? "whole" : "plain",
                             {quoted(analysis.program(), span),
                              line_number(analysis.file(), analysis.graph().nodes[cycle.head].part.begin)});
-        if (queries::repeats_whole_program(analysis, cycle)) finding.severity = Severity::note;
+        if (is_whole) finding.severity = Severity::note;
         trace_round(finding, analysis, cycle, "jumps back");
     }
 }

@@ -28,7 +28,7 @@ extern const Rule macro_and_nc_same_block{
                  {"two",
                   "Two macro statements in one block: '{0}' stands after the first, and no manual says"
                   " that the control takes both.",
-                  "Give '{0}' a block of its own."}},
+                  "Give '{0}' a block of its own.", true}},
     .bad = {{"fanuc", R"nc(
 O9332(DEPTH)
 G90 #100=5.
