@@ -33,10 +33,10 @@ extern const Rule transfer_value_unchecked{
     .facts = dataflow::facts<dataflow::Read, dataflow::Comparison>(),
     .data_flow = true,
     .messages = {{"unchecked",
-                  "Transfer value left out: {0} is used here, but the call in {1} does not pass it.",
+                  "Transfer value left out: {0} is used here, but the call on {1} does not pass it.",
                   "Ask with DEF or NDEF first, or pass it."},
                  {"zero-test",
-                  "Transfer value tested for 0: '{2}' does not tell a value left out, as by the call in {1}, "
+                  "Transfer value tested for 0: '{2}' does not tell a value left out, as by the call on {1}, "
                   "from a 0 that is passed.",
                   "Ask with NDEF."}},
     .bad = {{"dinplus", R"nc(

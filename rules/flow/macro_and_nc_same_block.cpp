@@ -37,8 +37,8 @@ M30
 )nc"},
             {"fanuc", R"nc(
 O9332(DEPTH)
-#100=5. #101=6.
-G0 X#100 Y#101
+#100=5. GOTO5
+N5 G0 X#100
 M30
 )nc"}},
     .good = {{"fanuc", R"nc(

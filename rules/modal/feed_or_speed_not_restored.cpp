@@ -36,7 +36,7 @@ extern const Rule feed_or_speed_not_restored{
     .why =
         "The caller's next block without F or S cuts or turns at the macro's value, a plunge feed or less.",
     .severity = Severity::warning,
-    .precision = Precision::very_high,
+    .precision = Precision::high,
     .yields_to = "MAC501",
     .facts = dataflow::facts<dataflow::ExitState, dataflow::ModalWrite, dataflow::CallMade, dataflow::Read,
                              dataflow::Store, dataflow::Clobber>(),

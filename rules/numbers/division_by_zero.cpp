@@ -31,7 +31,7 @@ extern const Rule division_by_zero{
         "a warning where a call shows it or the program checks other things, else a note.",
     .severity = Severity::error,
     .severity_elsewhere = {{"dinplus", Severity::warning}},
-    .precision = Precision::high,
+    .precision = Precision::very_high,
     .yields_to = "MAC210 DIN330",
     .facts = dataflow::facts<dataflow::Application, dataflow::Comparison, dataflow::Condition, dataflow::Read,
                              dataflow::Store>(),

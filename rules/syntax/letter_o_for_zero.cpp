@@ -15,7 +15,7 @@ extern const Rule letter_o_for_zero{
     .why = "O begins a program number: the control finds an address without its value, or a code that"
            " it does not have, and stops. On the screen the two look alike.",
     .severity = Severity::error,
-    .precision = Precision::high,
+    .precision = Precision::very_high,
     .yields_to = "MAC122",
     .messages = {{"cure", "Letter O for the figure 0: '{0}', and the control stops here.", "Write '{1}'."},
                  {"jump",

@@ -17,7 +17,7 @@ extern const Rule unreadable_block{
            " meant: other rules take it that the block may do anything it names. Remarks after '//' or ';'"
            " are the habit of some controls: one warning a file names them all.",
     .severity = Severity::error,
-    .precision = Precision::high,
+    .precision = Precision::very_high,
     .yields_to = "MAC122",
     .messages =
         {{"cure", "Unreadable text '{0}': expected {1}. The control stops in this block."},
