@@ -16,7 +16,7 @@ namespace {
 constexpr Offset most_looked_at = 8192; ///< bytes of a head
 
 /// In capitals, one blank between words; what is not ASCII stands as it is.
-constexpr std::array<std::string_view, 22> rights{
+constexpr std::array<std::string_view, 24> rights{
     "COPYRIGHT",
     "RIGHTS RESERVED",
     "ALLE RECHTE",
@@ -39,12 +39,51 @@ constexpr std::array<std::string_view, 22> rights{
     "\xE8\x91\x97\xE4\xBD\x9C\xE6\xA8\xA9",                              // 著作権
     "\xE7\x84\xA1\xE6\x96\xAD\xE8\xBB\xA2\xE8\xBC\x89",                  // 無断転載
     "\xD0\x92\xD1\x81\xD0\xB5 \xD0\xBF\xD1\x80\xD0\xB0\xD0\xB2\xD0\xB0", // Все права
+    "\xD0\x92\xD0\xA1\xD0\x95 \xD0\x9F\xD0\xA0\xD0\x90\xD0\x92\xD0\x90", // ВСЕ ПРАВА
+    "VYHRAZENA",
 };
 
-/// Rights to what wrote the program, and none at all.
-constexpr std::array<std::string_view, 10> others{
-    " POST ",     " POSTPROCESSOR", " POST PROCESSOR",  " CAM ",          " CAD ", " GENERATED ",
-    " SOFTWARE ", " NO COPYRIGHT",  " COPYRIGHT FREE ", " PUBLIC DOMAIN "};
+/// Rights to what wrote the program, to a drawing or an engraving, and none at all. Words that end so count
+/// as well: MASTERCAM, BOBCAD.
+constexpr std::array<std::string_view, 39> others{"CAM ",
+                                                  "CAD ",
+                                                  " POST ",
+                                                  " POSTPROCESSOR",
+                                                  " POST PROCESSOR",
+                                                  " PP ",
+                                                  " GENERATED ",
+                                                  " SOFTWARE ",
+                                                  " ESPRIT ",
+                                                  " HYPERMILL ",
+                                                  " AUTODESK ",
+                                                  " FUSION ",
+                                                  " HSM",
+                                                  "HSM ",
+                                                  " INVENTOR ",
+                                                  " POWERMILL ",
+                                                  " TOPSOLID ",
+                                                  " TEBIS ",
+                                                  " CIMATRON ",
+                                                  " WORKNC ",
+                                                  " PARTMAKER ",
+                                                  " SIEMENS NX ",
+                                                  " UNIGRAPHICS ",
+                                                  " CATIA ",
+                                                  " VISI ",
+                                                  " VERICUT ",
+                                                  " NCSIMUL ",
+                                                  " SMARTCAM",
+                                                  " DELCAM",
+                                                  " DRAWING ",
+                                                  " ENGRAV",
+                                                  " GRAVUR",
+                                                  " CHECK COPYRIGHT",
+                                                  " COPYRIGHT NONE ",
+                                                  " NO COPYRIGHT",
+                                                  " COPYRIGHT FREE ",
+                                                  " PUBLIC DOMAIN ",
+                                                  " OHNE COPYRIGHT",
+                                                  " KEIN COPYRIGHT"};
 
 /// Words in capitals with one blank around each; signs but brackets and what is not ASCII count as blanks.
 std::string words_of(std::string_view remark) {
@@ -76,19 +115,28 @@ std::size_t letters_of_next_word(std::string_view words) {
     return static_cast<std::size_t>(std::ranges::find_if_not(first, words.end(), is_letter) - first);
 }
 
+std::size_t words_with_letters(std::string_view words) {
+    std::size_t count = 0;
+    for (std::size_t i = 0; i < words.size(); ++i)
+        count += is_letter(words[i]) && (i == 0 || !is_letter(words[i - 1])) ? 1 : 0;
+    return count;
+}
+
 /// Whether C stands for the sign: a year follows, and a name. Without its brackets C may be an address, with
 /// a value and a unit.
 bool has_letter_for_sign(std::string_view words) {
     struct Sign {
         std::string_view text;
-        std::size_t shortest_name;
+        std::size_t shortest_name, fewest_words;
     };
-    constexpr std::array<Sign, 5> signs{{{"(C) ", 1}, {"(C)", 1}, {" C) ", 1}, {"(C ", 4}, {" C ", 4}}};
+    constexpr std::array<Sign, 5> signs{
+        {{"(C) ", 1, 1}, {"(C)", 1, 1}, {" C) ", 1, 1}, {"(C ", 4, 2}, {" C ", 4, 2}}};
     return std::ranges::any_of(signs, [&](const Sign& sign) {
         const auto at = words.find(sign.text);
         if (at == std::string_view::npos) return false;
         const std::string_view behind = words.substr(at + sign.text.size());
-        return is_year(behind) && letters_of_next_word(behind) >= sign.shortest_name;
+        return is_year(behind) && letters_of_next_word(behind) >= sign.shortest_name &&
+               words_with_letters(behind) >= sign.fewest_words;
     });
 }
 
@@ -122,7 +170,8 @@ struct Brackets {
 class Head {
   public:
     Head(const Source& source, Brackets brackets)
-        : text_(source.bytes())
+        : source_(source)
+        , text_(source.bytes())
         , brackets_(brackets) {}
 
     /// The first remark between them that claims rights, before any block that does something.
@@ -142,7 +191,7 @@ class Head {
     [[nodiscard]] std::optional<Span> rights_in(std::string_view line) const {
         for (std::size_t at = line.find(brackets_.open); at != std::string_view::npos;) {
             const std::string_view remark = remark_at(line.substr(at), brackets_.close);
-            if (claims_rights(remark))
+            if (claims_rights(source_.to_utf8(remark)))
                 return Span{static_cast<Offset>(at), static_cast<Offset>(at + remark.size())};
             at = line.find(brackets_.open, at + remark.size());
         }
@@ -160,6 +209,7 @@ class Head {
         return rest;
     }
 
+    const Source& source_;
     std::string_view text_;
     Brackets brackets_;
 };

@@ -126,7 +126,14 @@ std::optional<AlarmReached> nearest_alarm(const ProgramAnalysis& analysis, const
     if (!end.stop)
         return levels == 0 ? std::nullopt : nearest_alarm(*end.called, Edges(*end.called), 0, levels - 1);
     const Span text{analysis.program().effects[*end.stop].span.begin, analysis.graph().nodes[*node].part.end};
-    return AlarmReached{&analysis, *end.stop, text, search.path_to(*node)};
+    Nearest others(analysis, edges, start);
+    const bool several = others
+                             .find([&](flow::NodeId at) {
+                                 const EndAt other = end_at(analysis, at, edges);
+                                 return at != *node && (other.stop || other.called != nullptr);
+                             })
+                             .has_value();
+    return AlarmReached{&analysis, *end.stop, text, search.path_to(*node), several};
 }
 
 /// Where the program can still come back, whatever it is called with.

@@ -14,6 +14,7 @@ struct AlarmReached {
     Span text; ///< from the stop to the end of its block: number and message
     /// A shortest one in that program: from the test that decides where the call leads, else from its start.
     std::vector<flow::EdgeId> path;
+    bool is_one_of_several = false; ///< numbers decide which alarm it is
 };
 
 enum class AlarmReason : std::uint8_t {

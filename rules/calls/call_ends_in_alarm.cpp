@@ -22,29 +22,25 @@ extern const Rule call_ends_in_alarm{
     .summary = "The called program comes to its own alarm on every path",
     .why =
         "The call leaves out an argument that the program asks for, or the program runs into an alarm that "
-        "is "
-        "there for a test. The machine stops there each time, and what follows the call is never run. A call "
+        "is there "
+        "for a test. The machine stops there each time, and what follows the call is never run. A call "
         "behind a test, of a program that does nothing but raise alarms, is meant to stop.",
     .severity = Severity::error,
     .precision = Precision::high,
     .facts = dataflow::facts<dataflow::CallBegun>(),
     .data_flow = true,
     .messages =
-        {{"left-out",
-          "Call ends in an alarm: '{0}' leaves {1} vacant, and {2} then always comes to '{3}' on line {4}.",
+        {{"left-out", "Call ends in an alarm: '{0}' leaves {1} vacant, and {2} then always comes to {3}.",
           "Pass it."},
          {"order",
           "Call ends in an alarm: of I, J and K in '{0}' one stands behind a later one and counts as a "
-          "second "
-          "one, which leaves {1} vacant; {2} then always comes to '{3}' on line {4}.",
+          "second one, which leaves {1} vacant; {2} then always comes to {3}.",
           "Write them in this order."},
-         {"vacant",
-          "Call ends in an alarm: with what '{0}' leaves out, {2} always comes to '{3}' on line {4}.",
+         {"vacant", "Call ends in an alarm: with what '{0}' leaves out, {2} always comes to {3}.",
           "Pass what it asks for."},
-         {"fallen-in",
-          "Call ends in an alarm: {2} runs into '{3}' on line {4} on every path, whatever '{0}' passes.",
+         {"fallen-in", "Call ends in an alarm: {2} runs into {3} on every path, whatever is passed to it.",
           "End {2} before that, with M99 or a GOTO."},
-         {"always", "Call ends in an alarm: {2} comes to '{3}' on line {4}, whatever '{0}' passes.",
+         {"always", "Call ends in an alarm: {2} comes to {3}, whatever is passed to it.",
           "Delete the call, or correct {2}."}},
     .bad = {{"fanuc", R"nc(
 O0001(MAIN)
@@ -108,8 +104,9 @@ std::string_view message_for(const queries::AlarmedCall& call) {
 
 /// How the called program gets to its alarm.
 void add_steps(Finding& finding, const queries::AlarmReached& alarm) {
-    for (RelatedLocation& step : steps_along(*alarm.program, alarm.path))
-        finding.related.push_back(std::move(step));
+    if (!alarm.is_one_of_several)
+        for (RelatedLocation& step : steps_along(*alarm.program, alarm.path))
+            finding.related.push_back(std::move(step));
     finding.related.push_back({alarm.program->source(), alarm.text, "the alarm"});
 }
 
@@ -118,10 +115,12 @@ void check(const ProgramAnalysis& analysis, Reporter& reporter) {
     for (const queries::AlarmedCall& call : queries::find_alarmed_calls(analysis)) {
         const Span span = program.effects[call.call].span;
         const ProgramAnalysis& stopping = *call.alarm.program;
-        const std::string alarm = quoted(stopping.program(), call.alarm.text);
-        Finding& finding = reporter.report({analysis, call.call}, span, message_for(call),
-                                           {quoted(program, span), names_of(call), stopping.program().name,
-                                            alarm, line_number(stopping.file(), call.alarm.text.begin)});
+        const std::string alarm = std::string(call.alarm.is_one_of_several ? "an alarm, as " : "") + "'" +
+                                  quoted(stopping.program(), call.alarm.text) + "' on line " +
+                                  line_number(stopping.file(), call.alarm.text.begin);
+        Finding& finding =
+            reporter.report({analysis, call.call}, span, message_for(call),
+                            {quoted(program, span), names_of(call), stopping.program().name, alarm});
         trace(finding, analysis, call.node, "calls " + call.called->program().name);
         add_steps(finding, call.alarm);
         finding.same_cause = stopping.program().name + " " + alarm + " " + names_of(call);

@@ -23,7 +23,8 @@ extern const Rule duplicate_sequence_number{
     .name = "duplicate-sequence-number",
     .aliases = "DIN005",
     .summary = "Two blocks have one sequence number, and something jumps to it",
-    .why = "The same jump goes to different places from different blocks, and nobody sees which.",
+    .why = "The same jump goes to different places from different blocks, and nobody sees which. A note, on "
+           "request, where each jump takes the next one.",
     .severity = Severity::warning,
     .precision = Precision::very_high,
     .needs = {Capability::sequence_numbers},

@@ -13,7 +13,7 @@ extern const Rule macro_and_nc_same_block{
     .name = "macro-and-nc-same-block",
     .summary = "A macro statement shares its block with words or with another statement",
     .why = "The control reads a block as a macro statement or as words. It stops at one that is both."
-           " Most often an end of line was lost.",
+           " Most often an end of line was lost. Two statements that are no jump: a note on request.",
     .severity = Severity::error,
     .precision = Precision::very_high,
     .yields_to = "MAC122",

@@ -19,7 +19,8 @@ extern const Rule unreachable_code{
     .aliases = "DIN414",
     .summary = "Blocks behind a jump, an alarm or an end of the program that nothing leads to",
     .why = "The control never runs them: an alarm that no test raises, a retract behind the end. What stands "
-           "behind a GOTO may be switched off for a while: a note, and nothing where a remark says so.",
+           "behind a GOTO may be switched off for a while: a note on request, and nothing where a remark "
+           "says so.",
     .severity = Severity::warning,
     .precision = Precision::high,
     .yields_to = "MAC302",

@@ -34,7 +34,8 @@ extern const Rule feed_or_speed_not_restored{
     .name = "feed-or-speed-not-restored",
     .summary = "A macro changes F or S and does not put the caller's value back",
     .why =
-        "The caller's next block without F or S cuts or turns at the macro's value, a plunge feed or less.",
+        "The caller's next block without F or S cuts or turns at the macro's value, a plunge feed or less. "
+        "A note, on request, where the caller has set none of its own.",
     .severity = Severity::warning,
     .precision = Precision::high,
     .yields_to = "MAC501",

@@ -23,7 +23,8 @@ extern const Rule dead_store{
     .summary = "A value is calculated and stored, and replaced on every path before anything reads it",
     .why =
         "One of the two assignments was meant for another variable, or stands in the wrong place: what the "
-        "program has calculated is lost. A note where nothing follows that could read the value. Numbers "
+        "program has calculated is lost. A note, on request, where nothing follows that could read the "
+        "value. Numbers "
         "that somebody may edit, vacant, counters, saved codes and copies that wait for their use are left "
         "alone, and so are variables "
         "that other programs or the operator may look at in between.",

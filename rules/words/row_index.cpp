@@ -91,7 +91,8 @@ RowIndex::RowIndex(const ControlModel& control, std::string_view section, const 
             const auto kind =
                 syntax::CodeSet::kind_of(row.letter == 'G' ? 0 : 1, static_cast<std::uint64_t>(row.code));
             codes_.add(kind);
-            if (letters_.find(row.letter) == std::string::npos) letters_ += row.letter;
+            if (letters_.find(row.letter) == std::string::npos)
+                letters_ += {row.letter, static_cast<char>(row.letter - 'A' + 'a')};
             by_kind_[kind].push_back(entry);
         }
     }

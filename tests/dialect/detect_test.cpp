@@ -33,6 +33,20 @@ TEST(Detection, FanucProgramsAreOursWhateverTheirExtension) {
     EXPECT_EQ(reported_of(""), "fanuc");
 }
 
+/// Rows of bare positions are blocks beside others, and what begins and ends as a program is one.
+TEST(Detection, ProgramsWithManyMistakesStayPrograms) {
+    std::string rows;
+    for (int i = 0; i < 500; ++i) rows += "X" + std::to_string(i) + ". Y2.\n";
+    EXPECT_EQ(reported_of("%\nO8000\nG90 G54 G0 X0\n" + rows +
+                          "T4 BORING BAR\nT5 CENTER DRILL\nCLAMP IN VISE\nZERO FRONT LEFT\nSTOCK 60 X 40\n" +
+                          rows + "M30\n%\n"),
+              "fanuc");
+    EXPECT_EQ(reported_of("%\nO8000\nGOTO START\nPRINT X\nSTOP HERE\nM30\n%\n"), "fanuc");
+    EXPECT_EQ(reported_of("%\nO8000\n#1=#500\nIF [#1 LT 5] GOTTO 9\nIF [#1 LT 6] GOO 9\nIF [#1 LT 7] GOTP 9\n"
+                          "N9 M30\n%\n"),
+              "fanuc");
+}
+
 TEST(Detection, SemicolonsThatEndABlockSpeakForNobody) {
     EXPECT_EQ(reported_of("G0 X0 Y0;\nG1 Z-1. F100.;\n;\n;\n(TEXT);\nM30;\n"), "fanuc");
     EXPECT_EQ(reported_of("G0 X0; G1 Z-1. F100.; (DOWN)\n#1=5; IF[#1EQ5]GOTO10\nN10 M30\n"), "fanuc");

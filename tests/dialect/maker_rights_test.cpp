@@ -21,11 +21,30 @@ TEST(MakerRights, AreClaimedInSeveralWordsAndLanguages) {
 }
 
 TEST(MakerRights, AreNotClaimedByTheAddressCOrAMakersName) {
-    for (const char* remark :
-         {"(C = ANGLE)", "(C) DRILL MACRO", "(A B C)", "(C90. INDEX)", "(C 2000.)", "(C 2000 MM)",
-          "(C 2000 DEG)", "(C2010 TOOLING)", "(C 1998)", "(RENISHAW PROBE T30)", "(BLUM Z NANO)",
-          "(COPY RIGHT SIDE)", "(MOVE RIGHT)", "", "(POST-PROCESSOR COPYRIGHT 2019 MAKER)",
-          "(CAM COPYRIGHT 2020 MAKER)", "(NO COPYRIGHT)"})
+    for (const char* remark : {"(C 2000 CHUCK)",
+                               "(MASTERCAM COPYRIGHT 2010)",
+                               "(ESPRIT COPYRIGHT DP TECHNOLOGY)",
+                               "(DRAWING COPYRIGHT ACME 2010)",
+                               "(CHECK COPYRIGHT WITH CUSTOMER)",
+                               "(COPYRIGHT: NONE)",
+                               "(T5: ENGRAVE COPYRIGHT TEXT)",
+                               "(C = ANGLE)",
+                               "(C) DRILL MACRO",
+                               "(A B C)",
+                               "(C90. INDEX)",
+                               "(C 2000.)",
+                               "(C 2000 MM)",
+                               "(C 2000 DEG)",
+                               "(C2010 TOOLING)",
+                               "(C 1998)",
+                               "(RENISHAW PROBE T30)",
+                               "(BLUM Z NANO)",
+                               "(COPY RIGHT SIDE)",
+                               "(MOVE RIGHT)",
+                               "",
+                               "(POST-PROCESSOR COPYRIGHT 2019 MAKER)",
+                               "(CAM COPYRIGHT 2020 MAKER)",
+                               "(NO COPYRIGHT)"})
         EXPECT_FALSE(claims_rights(remark)) << remark;
 }
 

@@ -48,7 +48,7 @@ TEST(CallEndsInAlarm, IsToldBehindATestWhereTheProgramWorks) {
     EXPECT_THAT(
         messages_raised("MAC470", tested + runs_in),
         ElementsAre("Call ends in an alarm: O2 runs into '#3000=101(A MISSING)' on line 9 on every path, "
-                    "whatever 'G65P2B5.' passes. End O2 before that, with M99 or a GOTO."));
+                    "whatever is passed to it. End O2 before that, with M99 or a GOTO."));
 }
 
 TEST(CallEndsInAlarm, IsSilentOfCallsThatAreMadeToStop) {
@@ -68,8 +68,8 @@ TEST(CallEndsInAlarm, IsSilentOfCallsThatAreMadeToStop) {
 TEST(CallEndsInAlarm, IsToldWhereEveryPathComesByEvenOfAProgramThatOnlyStops) {
     EXPECT_THAT(
         messages_raised("MAC470", "O1\nM98P3\nG0X1.\nM30\nO3\n#1=5.\nN99#3000=101(STOP)\nM99\n"),
-        ElementsAre("Call ends in an alarm: O3 comes to '#3000=101(STOP)' on line 7, whatever 'M98P3' "
-                    "passes. Delete the call, or correct O3."));
+        ElementsAre("Call ends in an alarm: O3 comes to '#3000=101(STOP)' on line 7, whatever is passed "
+                    "to it. Delete the call, or correct O3."));
 }
 
 TEST(CallEndsInAlarm, IsToldBehindATestWhereWorkStandsBehindTheCall) {
@@ -83,6 +83,13 @@ TEST(CallEndsInAlarm, NamesTheAlarmOfTheProgramThatIsCalledForIt) {
                                           "O3\n#3000=7(NO A)\n"),
                 ElementsAre(AllOf(HasSubstr("'G65P2B5.' leaves #1 (A) vacant"),
                                   HasSubstr("O3 then always comes to '#3000=7(NO A)' on line 10"))));
+}
+
+/// Numbers are not followed: which of two alarms it is nobody says.
+TEST(CallEndsInAlarm, NamesOneOfSeveralAsSuch) {
+    EXPECT_THAT(messages_raised("MAC470", "O1\nG65P2A1.\nG0X1.\nM30\n"
+                                          "O2\nG0X5.\nIF[#1EQ1]GOTO5\n#3000=2(A NOT 1)\nN5#3000=1(A IS 1)\n"),
+                ElementsAre(HasSubstr("O2 comes to an alarm, as '#3000=2(A NOT 1)' on line 8, whatever")));
 }
 
 TEST(CallEndsInAlarm, NamesTheTestThatDecidesNotAnEarlierOne) {

@@ -152,7 +152,7 @@ TEST(BlockIf, WithoutItsEndIsAnError) {
     const std::string open = "O9040\nIF[#17EQ0]THEN\nG5.1Q0\nM99\n";
     EXPECT_THAT(told(open), ElementsAre("error MAC118 on line 2")) << "a THEN that lacks its statement";
     EXPECT_THAT(told(open, "mitsubishi"), ElementsAre("error DIN401 on line 2"));
-    EXPECT_THAT(told("O9040\nG0X1.\nENDIF\nM99\n", "mitsubishi"), ElementsAre("error MAC118 on line 3"));
+    EXPECT_THAT(told("O9040\nG0X1.\nENDIF\nM99\n", "mitsubishi"), ElementsAre("error MAC121 on line 3"));
 }
 
 /// `{0}` of the branch is what the condition makes of #1.
@@ -165,6 +165,17 @@ TEST(BlockIf, RunsOneOfItsBranches) {
                 testing::AllOf(holds("MAC702 on line 4"), testing::Not(holds("line 6"))));
     EXPECT_THAT(told(program("2"), "mitsubishi"),
                 testing::AllOf(holds("MAC703 on line 6"), testing::Not(holds("line 4"))));
+}
+
+TEST(BlockIf, OfTheControlIsToldOfWhatIsTooMuch) {
+    const auto told_in = [](const std::string& blocks) {
+        return told("O9040\n" + blocks + "M99\n", "mitsubishi");
+    };
+    EXPECT_THAT(told_in("G0X1.\nELSE\n"), ElementsAre("error MAC121 on line 3"));
+    EXPECT_THAT(told_in("IF[#17EQ0]THEN\nG5.1Q0\nELSE\nG5.1Q1\nELSE\nG5.1Q2\nENDIF\n"),
+                ElementsAre("error MAC121 on line 6"));
+    EXPECT_THAT(told_in("IF[#17EQ0]THEN\nIF[#18EQ0]THEN\nG5.1Q0\nELSE\nG5.1Q1\nENDIF\nELSE\nG5.1Q2\nENDIF\n"),
+                IsEmpty());
 }
 
 TEST(GcodeSystem, OfALatheSaysWhichCodesExcludeEachOther) {

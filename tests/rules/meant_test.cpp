@@ -80,6 +80,12 @@ TEST(Meant, AWordWithoutAnArgumentIsNoFunction) {
     EXPECT_THAT(message_of_block("#100=TAM[30]"), HasSubstr("Write 'TAN'"));
 }
 
+TEST(Meant, LettersOfGotoAreNoRapidTraverse) {
+    for (const char* block : {"IF[#100EQ1]GOT5", "GOT 5", "GTO5"})
+        EXPECT_THAT(message_of_block(block), HasSubstr("Write 'GOTO'")) << block;
+    EXPECT_THAT(message_of_block("GO X5."), HasSubstr("G0")) << "a letter O";
+}
+
 TEST(Meant, TheNearestSequenceNumberIsADigitAway) {
     const auto nearest = [](const std::string& jump, const std::string& numbers) {
         return message("O1\n#100=1\n" + jump + "\n" + numbers + "M30\n");

@@ -240,5 +240,15 @@ TEST(OrderOfBlocks, LooksForTheNextCode) {
         << "a move without a code may be straight";
 }
 
+/// A run of plain blocks is only read in the lines that hold a code, in letters of either case.
+TEST(WordRows, SpeakOfSmallLettersToo) {
+    const std::string text = "O9523(HOLES)\nG90G54G0X0Y0\nG83X10.Y10.Z-30.R2.F150.\nG80\nM30\n";
+    std::string small = text;
+    std::ranges::transform(small, small.begin(),
+                           [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    EXPECT_THAT(codes(lint_text(text)), ElementsAre("MAC523"));
+    EXPECT_THAT(codes(lint_text(small)), ElementsAre("MAC523"));
+}
+
 } // namespace
 } // namespace maclint::test

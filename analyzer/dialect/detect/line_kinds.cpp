@@ -173,7 +173,7 @@ LineKind kind_of_words(const Line& line) {
         return sets_offset(line) ? LineKind::offset : LineKind::block;
     }
     if (sets_parameter(line)) return LineKind::parameter;
-    return is_position(line) ? LineKind::nothing : LineKind::block;
+    return is_position(line) ? LineKind::position : LineKind::block;
 }
 
 } // namespace
@@ -191,7 +191,22 @@ LineKind kind_of(const Line& line) {
     return is_row_or_rule(line) || reads_as_text(line.code()) ? LineKind::other : LineKind::block;
 }
 
+namespace {
+
+bool is_head(std::string_view whole) {
+    if (whole.starts_with('%')) return true;
+    return whole.size() > 1 && (whole.front() == 'O' || whole.front() == ':') && is_digit(whole[1]);
+}
+
+bool is_end(const Line& line) {
+    return line.has('M', 20, 20) || line.has('M', 300, 300) || line.has('M', 990, 990);
+}
+
+} // namespace
+
 void LineCounts::add(const Line& line) {
+    has_head_ = has_head_ || is_head(line.whole());
+    has_end_ = has_end_ || (line.is_plain() && is_end(line));
     constexpr std::size_t plenty = 64;
     if (of(LineKind::block) >= plenty && of(LineKind::other) * 2 < of(LineKind::block))
         return; // it is decided
@@ -202,9 +217,13 @@ void LineCounts::add(const Line& line) {
 
 bool LineCounts::is_program_text() const {
     const std::size_t others = of(LineKind::other);
-    const std::size_t read =
+    std::size_t read =
         of(LineKind::block) + of(LineKind::offset) + of(LineKind::variable) + of(LineKind::parameter);
+    if (of(LineKind::block) != 0) read += of(LineKind::position);
     if (others <= read) return true;
+    // What begins and ends as a program is one, with whatever mistakes; a listing in a letter is not.
+    constexpr std::size_t most_mistakes = 4;
+    if (has_head_ && has_end_ && others <= most_mistakes * (read + 1)) return true;
     return others == 1 && unlike_blocks_ == 0;
 }
 

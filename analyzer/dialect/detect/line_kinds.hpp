@@ -16,9 +16,10 @@ enum class LineKind : std::uint8_t {
     offset,    ///< `G10 L2 P1 X-350.`: values that nothing computes
     variable,  ///< `#500=12.5`, `SETVN500[A,B]`
     parameter, ///< `N6000P00100000`
+    position,  ///< `X10.001 Y20.002`: a block beside others, else what a probe measured
     other,     ///< words for people, rows of a table
 };
-constexpr std::size_t line_kind_count = 6;
+constexpr std::size_t line_kind_count = 7;
 
 /// What a line that is not empty is to a control of the Fanuc family.
 [[nodiscard]] LineKind kind_of(const Line& line);
@@ -42,6 +43,8 @@ class LineCounts {
 
     std::array<std::size_t, line_kind_count> counts_{};
     std::size_t unlike_blocks_ = 0; ///< others that do not even begin like a block
+    bool has_head_ = false;         ///< `%`, `O8000`
+    bool has_end_ = false;          ///< M02, M30, M99
 };
 
 } // namespace maclint::detect

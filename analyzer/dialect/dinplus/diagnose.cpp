@@ -95,6 +95,9 @@ class ErrorExplainer {
             if (capitals.front() == '_' || capitals == "HID" || is_keyword(capitals)) continue;
             std::string meant = meant_by(capitals);
             if (meant == capitals) continue; // a section word
+            // A function has an argument: `T3 TAP M10` is no TAN.
+            const bool has_argument = i + 1 < tokens_.size() && tokens_[i + 1].kind == TokenKind::open;
+            if (is_function(meant) && !has_argument) meant.clear();
             return make(SyntaxErrorKind::unknown_keyword, token, std::move(meant));
         }
         return std::nullopt;

@@ -66,6 +66,7 @@ struct Nearest {
 
 } // namespace
 
+bool is_function(std::string_view capitals) { return holds(functions, capitals); }
 bool is_structural(std::string_view capitals) { return holds(structural_words, capitals); }
 
 bool is_keyword(std::string_view capitals) {

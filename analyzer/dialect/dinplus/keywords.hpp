@@ -10,6 +10,8 @@ namespace maclint::dinplus {
 [[nodiscard]] bool is_keyword(std::string_view capitals);
 /// Whether a block with the word may open, divide or close a construct.
 [[nodiscard]] bool is_structural(std::string_view capitals);
+/// SIN, SQRT: what stands before its argument in ( ).
+[[nodiscard]] bool is_function(std::string_view capitals);
 /// The word that was meant by one that is none, section words included; empty when it is unknown. Capitals,
 /// UTF-8.
 [[nodiscard]] std::string meant_by(std::string_view capitals);

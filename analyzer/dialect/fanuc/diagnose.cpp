@@ -49,6 +49,7 @@ class ErrorExplainer {
     [[nodiscard]] std::optional<SyntaxError> parenthesis_as_bracket() const;
     [[nodiscard]] std::optional<SyntaxError> bracket_mismatch() const;
     [[nodiscard]] std::optional<SyntaxError> letter_o() const { return find_letter_o(text_, tokens_); }
+    [[nodiscard]] std::optional<SyntaxError> misspelt_jump() const;
     [[nodiscard]] std::optional<SyntaxError> unknown_keyword() const;
     [[nodiscard]] std::optional<SyntaxError> symbolic_comparison() const;
     [[nodiscard]] std::optional<SyntaxError> missing_value() const;
@@ -338,6 +339,17 @@ std::optional<SyntaxError> ErrorExplainer::missing_value() const {
     return std::nullopt;
 }
 
+/// `GTO5`
+std::optional<SyntaxError> ErrorExplainer::misspelt_jump() const {
+    for (std::size_t i = 0; i + 1 < tokens_.size(); ++i) {
+        const TokenKind next = tokens_[i + 1].kind;
+        const bool has_target = next == TokenKind::number || next == TokenKind::variable;
+        if (tokens_[i].kind == TokenKind::letters && has_target && is_misspelt_goto(capitals(tokens_[i])))
+            return make(SyntaxErrorKind::unknown_keyword, tokens_[i].span, text(tokens_[i]), "GOTO");
+    }
+    return std::nullopt;
+}
+
 /// `X1,5`
 std::optional<SyntaxError> ErrorExplainer::decimal_comma() const {
     int depth = 0;
@@ -554,9 +566,10 @@ std::optional<SyntaxError> find_cause(std::string_view text, Span block) {
     for (const auto cause :
          {&ErrorExplainer::bare_remark, &ErrorExplainer::remark, &ErrorExplainer::wide_sign,
           &ErrorExplainer::parenthesis_as_bracket, &ErrorExplainer::bracket_mismatch,
-          &ErrorExplainer::letter_o, &ErrorExplainer::decimal_comma, &ErrorExplainer::sharp_without_number,
-          &ErrorExplainer::unknown_keyword, &ErrorExplainer::symbolic_comparison,
-          &ErrorExplainer::missing_value, &ErrorExplainer::missing_address})
+          &ErrorExplainer::misspelt_jump, &ErrorExplainer::letter_o, &ErrorExplainer::decimal_comma,
+          &ErrorExplainer::sharp_without_number, &ErrorExplainer::unknown_keyword,
+          &ErrorExplainer::symbolic_comparison, &ErrorExplainer::missing_value,
+          &ErrorExplainer::missing_address})
         if (std::optional<SyntaxError> found = (explainer.*cause)()) return found;
     return std::nullopt;
 }

@@ -104,6 +104,11 @@ std::string_view comparison_word(std::string_view sign) {
     return row == std::end(words) ? std::string_view() : row->second;
 }
 
+bool is_misspelt_goto(std::string_view capitals) {
+    static constexpr std::string_view ends[] = {"GOT", "GTO", "GOOTO", "GOTTO"};
+    return std::ranges::any_of(ends, [&](std::string_view end) { return capitals.ends_with(end); });
+}
+
 std::vector<std::string_view> split_keywords(std::string_view capitals) {
     if (is_word_elsewhere(capitals)) return {}; // ENDWHILE
     // reach[i]: length of the keyword that ends at i and joins a row of keywords from the start, 0 for none.

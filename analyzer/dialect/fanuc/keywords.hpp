@@ -32,6 +32,9 @@ constexpr std::string_view in_place_of_block_if = "THEN takes one statement in i
 /// or more that are no keywords, as in remarks.
 [[nodiscard]] bool is_for_people(std::string_view capitals);
 
+/// Letters that can only be a GOTO with one left out or doubled: `GOT`, `GTO`.
+[[nodiscard]] bool is_misspelt_goto(std::string_view capitals);
+
 /// What somebody meant who wrote a word that is none.
 struct Misspelling {
     bool known;        ///< a word of other languages, or close to a keyword

@@ -236,8 +236,13 @@ void BlockLowering::open_block_if(const Node& node, ExpressionId test) {
         if (!control.assumed) return;
         refusal = before;
     }
-    block_ifs_.push_back(refusal);
+    block_ifs_.push_back({refusal});
     effect({RegionMark{RegionKind::choice, RegionMark::Part::open, std::nullopt, test}, whole});
+}
+
+bool BlockLowering::is_word_of_block_if(const Node& keyword) const {
+    const std::string word = in_capitals(text(keyword));
+    return word.starts_with("ELSE") || word == "ELSIF" || word == "ENDIF";
 }
 
 /// ELSE and ENDIF of an open IF; anywhere else they are words of another language.
@@ -250,14 +255,17 @@ void BlockLowering::divide_block_if(const Node& keyword) {
     if (!is_of_block_if(keyword)) return;
     const bool ends = to_capital(text(keyword).back()) == 'F';
     const auto part = ends ? RegionMark::Part::close : RegionMark::Part::middle;
-    if (ends) block_ifs_.pop_back();
+    if (ends)
+        block_ifs_.pop_back();
+    else
+        block_ifs_.back().has_else = true;
     effect({RegionMark{RegionKind::choice, part, std::nullopt, std::nullopt}, span(keyword)});
 }
 
 void BlockLowering::end_program() {
-    for (const std::optional<std::size_t>& refusal : block_ifs_)
-        if (refusal) // nothing speaks for a control that has it: THEN lacks its statement
-            syntax_errors_[*refusal].answer = Answer::stops;
+    for (const BlockIf& open : block_ifs_)
+        if (open.refusal) // nothing speaks for a control that has it: THEN lacks its statement
+            syntax_errors_[*open.refusal].answer = Answer::stops;
     block_ifs_.clear();
 }
 

@@ -77,9 +77,23 @@ void BlockLowering::check_words() {
         else if (kind == Kind::symbolic_operator) // [3: comparisons give no value]
             report(SyntaxErrorKind::unreadable, span(node),
                    "a calculation, because only IF and WHILE compare");
+        else if (kind == Kind::foreign_keyword && program_->control->has_block_if &&
+                 is_word_of_block_if(node))
+            check_word_of_block_if(node);
         else if (kind == Kind::foreign_keyword && !is_of_block_if(node))
             syntax_errors_.push_back(unknown_word(program_->text, span(node)));
     }
+}
+
+/// ELSE, ELSEIF and ENDIF where the control has blocks of IF.
+void BlockLowering::check_word_of_block_if(const Node& keyword) {
+    const std::string word = in_capitals(text(keyword));
+    if (word != "ELSE" && word != "ENDIF")
+        report(SyntaxErrorKind::unreadable, span(keyword), "ELSE, and the IF in a block of its own");
+    else if (block_ifs_.empty())
+        report(SyntaxErrorKind::unreadable, span(keyword), "an IF ... THEN before it");
+    else if (word == "ELSE" && block_ifs_.back().has_else)
+        report(SyntaxErrorKind::unreadable, span(keyword), "one ELSE for an IF");
 }
 
 /// The first address without a value; in `X(#1+2)` a comment is meant to be one.
@@ -103,6 +117,10 @@ void BlockLowering::check_letter_o(const Node& word) {
         report(SyntaxErrorKind::unknown_keyword, *jump, "GOTO" + std::string(number));
         return;
     }
+    if (const std::optional<Span> typed = find_jump_misspelt(all)) {
+        report(SyntaxErrorKind::unknown_keyword, *typed, "GOTO");
+        return;
+    }
     const std::string_view written = program_->slice(all);
     std::string mended(written);
     Remedy remedy{"Write the figure 0 for the letter O", !may_be_jump(all)};
@@ -115,6 +133,20 @@ void BlockLowering::check_letter_o(const Node& word) {
     const SyntaxErrorKind kind =
         remedy.certain ? SyntaxErrorKind::letter_o : SyntaxErrorKind::letter_o_or_jump;
     refuse(kind, all, std::move(mended), std::move(remedy));
+}
+
+/// `GOT 5`, `GTO5`: letters of GOTO before a number, which read as words with O for 0.
+std::optional<Span> BlockLowering::find_jump_misspelt(Span word) const {
+    const std::string_view text = program_->text;
+    Offset begin = word.begin;
+    while (begin > block_.begin && is_letter(text[begin - 1])) --begin;
+    Offset end = word.begin;
+    while (end < block_.end && is_letter(text[end])) ++end;
+    const bool is_meant = is_misspelt_goto(in_capitals(text.substr(begin, end - begin)));
+    Offset next = end;
+    while (next < block_.end && is_blank(text[next])) ++next;
+    if (!is_meant || next == block_.end || (!is_digit(text[next]) && text[next] != '#')) return std::nullopt;
+    return Span{begin, end};
 }
 
 /// The word, with a number that goes on behind a blank: `GO 1`.

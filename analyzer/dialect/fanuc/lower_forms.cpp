@@ -87,6 +87,7 @@ void BlockLowering::check_consequences(const Node& if_statement, std::span<const
         return;
     }
     const Kind first = kind_of(*consequences.front());
+    if (first == Kind::letter_o_word && find_jump_misspelt(span(*consequences.front()))) return; // IF[..]GOT5
     const bool foreign = std::ranges::any_of(
         consequences, [](const Node* node) { return kind_of(*node) == Kind::foreign_keyword; });
     if (foreign || (!is_statement(first) && !is_word(first))) return;

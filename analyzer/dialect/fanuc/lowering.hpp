@@ -48,6 +48,8 @@ class BlockLowering : private TreeLowering {
     void open_block_if(const Node& node, ExpressionId test);
     void divide_block_if(const Node& keyword);
     [[nodiscard]] bool is_of_block_if(const Node& keyword) const;
+    [[nodiscard]] bool is_word_of_block_if(const Node& keyword) const;
+    void check_word_of_block_if(const Node& keyword);
     void lower_block_condition(const Node& node, std::span<const Node* const> rest);
     void store(const Node& target, ExpressionId value, Span span);
     void store_numbered(std::int64_t number, Span target, ExpressionId value, Span span);
@@ -104,6 +106,7 @@ class BlockLowering : private TreeLowering {
     void check_depth(const Node& node, int depth);
     void check_empty_word(const Node& word);
     void check_letter_o(const Node& word);
+    [[nodiscard]] std::optional<Span> find_jump_misspelt(Span word) const;
     [[nodiscard]] Span with_rest_of_number(const Node& word) const;
     [[nodiscard]] bool may_be_jump(Span word) const;
     void check_double_sharp(const Node& variable);
@@ -121,9 +124,12 @@ class BlockLowering : private TreeLowering {
     void check_increment(Span address);
 
     const CodeTable& codes_;
-    /// The IFs that have opened blocks and wait for ENDIF: the syntax error that each is on the assumed
-    /// control, if it is one.
-    std::vector<std::optional<std::size_t>> block_ifs_;
+    /// An IF that has opened blocks and waits for ENDIF.
+    struct BlockIf {
+        std::optional<std::size_t> refusal; ///< the syntax error that it is on the assumed control
+        bool has_else = false;
+    };
+    std::vector<BlockIf> block_ifs_;
     Nodes items_;               ///< of the block
     std::vector<NcWord> words_; ///< that stand side by side
     std::vector<ExpressionId> computed_;
