@@ -45,7 +45,7 @@ const std::array<ControlRow, 10> rows{{
     {"haas-1999",    "Haas of before 2000",                   false, {9,     9, 3,  1,    3,    5,  "T"},                                             false, "A",   true,  true,  false, "",                  quiet, false, true},
     // Second hand: of these two only what the columns say is known.
     {"mitsubishi",   "Mitsubishi M700/M800",                  false, {4,     8, 27, 1,    127,  5,  "CNCWIKI-CALL, CNCWIKI-SUB, CNCWIKI-LOGIC; T"},   false, "ABC", false, false, false, "",                  quiet, true,  false},
-    {"mazak-eia",    "Mazak, EIA/ISO programs",               false, {4,     8, 27, 1,    127,  5,  "T, as Mitsubishi"},                              false, "ABC", false, false, false, "",                  quiet, true,  false},
+    {"mazak-eia",    "Mazak EIA/ISO",                         false, {4,     8, 27, 1,    127,  5,  "T, as Mitsubishi"},                              false, "ABC", false, false, false, "",                  quiet, true,  false},
 }};
 // clang-format on
 
