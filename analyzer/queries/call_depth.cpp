@@ -30,8 +30,9 @@ bool leads_to_level(const ProgramAnalysis& analysis, const CallSite& site, Nesti
             reached.push_back(callee);
     };
     reach(analysis, site);
-    for (std::size_t i = 0; i < reached.size(); ++i) {
-        const ProgramAnalysis& program = *reached[i]; // `reached` grows
+    std::size_t looked_at = 0; // `reached` grows
+    while (looked_at < reached.size()) {
+        const ProgramAnalysis& program = *reached[looked_at++];
         if (!calls_beyond(program, nesting, level).empty()) return true;
         for (const CallSite& call : program.calls())
             if (!call.closes_cycle) reach(program, call);

@@ -41,6 +41,8 @@ TEST(Detection, ProgramsWithManyMistakesStayPrograms) {
                           "T4 BORING BAR\nT5 CENTER DRILL\nCLAMP IN VISE\nZERO FRONT LEFT\nSTOCK 60 X 40\n" +
                           rows + "M30\n%\n"),
               "fanuc");
+    EXPECT_EQ(reported_of("G90 G54 G0 X0\n" + rows + "BORING BAR HERE\nCLAMP IN VISE\nCENTER DRILL\n"),
+              "fanuc");
     EXPECT_EQ(reported_of("%\nO8000\nGOTO START\nPRINT X\nSTOP HERE\nM30\n%\n"), "fanuc");
     EXPECT_EQ(reported_of("%\nO8000\n#1=#500\nIF [#1 LT 5] GOTTO 9\nIF [#1 LT 6] GOO 9\nIF [#1 LT 7] GOTP 9\n"
                           "N9 M30\n%\n"),

@@ -193,6 +193,23 @@ TEST(GcodeSystem, OfALatheSaysWhichCodesExcludeEachOther) {
         EXPECT_THAT(told(system_a, control), ElementsAre("warning MAC514 on line 6")) << control;
 }
 
+/// A conflict of G90 with a motion code is one of system A alone.
+TEST(GcodeSystem, ShowsInTheTextByMarksAndByNoneOfSystemA) {
+    const auto is_a = [](const std::string& marks) {
+        return !told("O1\nT0101\nG96S100M3\n" + marks + "G90G0X50.Z2.\nM30\n", "fanuc-16i-lathe").empty();
+    };
+    EXPECT_TRUE(is_a("")) << "nothing tells";
+    EXPECT_FALSE(is_a("G92S2000\n"));
+    EXPECT_FALSE(is_a("G95\n"));
+    EXPECT_FALSE(is_a("G77X48.Z-20.F0.2\n"));
+    EXPECT_FALSE(is_a("G70\n")) << "C: inch";
+    EXPECT_TRUE(is_a("G92S2000\nG50S2000\n"));
+    EXPECT_TRUE(is_a("G92S2000\nG99\n"));
+    EXPECT_FALSE(is_a("G92S2000\nG98G83X0Z-20.R2.Q5000F0.1\nG80\n")) << "the return level of a hole";
+    EXPECT_TRUE(is_a("G92S2000\nG1U2.F0.1\n"));
+    EXPECT_FALSE(is_a("G92S2000\nG4U2.\n")) << "a dwell";
+}
+
 TEST(EndOfProgram, MayStandInAComputedFunction) {
     EXPECT_THAT(told("O19\nG91G28Z0\nM#850\n%\n"), IsEmpty());
     EXPECT_THAT(told("O20\n#850=30\nG91G28Z0\nM#850\n%\n"), IsEmpty());

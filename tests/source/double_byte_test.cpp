@@ -2,6 +2,7 @@
 #include "analyzer/source/double_byte.hpp"
 #include "analyzer/source/source.hpp"
 
+#include <algorithm>
 #include <random>
 #include <string>
 #include <string_view>
