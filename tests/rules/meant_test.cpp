@@ -150,6 +150,13 @@ TEST(RepeatedNumber, ThatLeadsIntoAnotherPartIsAWarning) {
                 IsEmpty());
 }
 
+/// The alarm is that of the jump into the loop; that the number stands twice tells why it goes there.
+TEST(RepeatedNumber, ThatLeadsIntoALoopTellsWhyTheJumpGoesThere) {
+    EXPECT_THAT(codes_by_default("O9001\n#1=5\nN5G0X#1\n#1=#1-1\nIF[#1GT0]GOTO5\n#2=0\nWHILE[#2LT3]DO1\n"
+                                 "N5G0Y#2\n#2=#2+1\nEND1\nM99\n"),
+                ElementsAre("MAC303", "MAC462"));
+}
+
 TEST(Alarms, InMessagesAreThoseOfTheControl) {
     const auto under = [](const std::string& control) {
         cli::Overrides overrides;
