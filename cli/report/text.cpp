@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <string>
+#include <unordered_map>
 #include <unordered_set>
 #include <vector>
 
@@ -62,10 +63,9 @@ class TextWriter {
     [[nodiscard]] std::string take() { return std::move(out_); }
 
   private:
-    /// Findings of one rule with one message.
+    /// Findings of one rule that say the same but for numbers.
     struct Kind {
         std::string code; ///< with the key of a row
-        std::string_view message_id;
         Severity severity;
         std::size_t count = 0;
         std::vector<std::string> places = {};
@@ -76,13 +76,11 @@ class TextWriter {
         constexpr std::size_t most_in_full = 3;
         if (finding.severity == Severity::error || wanted_.path == PathDetail::full) return false;
         const std::string code = code_with_key(finding);
-        const auto known = std::ranges::find_if(kinds_, [&](const Kind& kind) {
-            return kind.code == code && kind.message_id == finding.message_id &&
-                   kind.severity == finding.severity;
-        });
-        Kind& kind = known == kinds_.end()
-                         ? kinds_.emplace_back(Kind{code, finding.message_id, finding.severity})
-                         : *known;
+        std::string words = finding.statement();
+        std::erase_if(words, [](char c) { return c >= '0' && c <= '9'; });
+        const auto [known, is_new] =
+            kind_of_.try_emplace(code + std::string(name_of(finding.severity)) + words, kinds_.size());
+        Kind& kind = is_new ? kinds_.emplace_back(Kind{code, finding.severity}) : kinds_[known->second];
         if (++kind.count <= most_in_full) return false;
         const auto add_place_of = [&](const Source& source, Span span) {
             const Position at = source.position(span.begin);
@@ -210,7 +208,8 @@ class TextWriter {
     std::size_t margin_ = 0;                    ///< columns before the frame
     std::size_t left_out_ = 0;                  ///< rows of paths
     std::unordered_set<std::string> explained_; ///< codes, with keys of rows
-    std::vector<Kind> kinds_;                   ///< few: rules have few messages
+    std::vector<Kind> kinds_;
+    std::unordered_map<std::string, std::size_t> kind_of_; ///< by code, severity and words without figures
     std::string out_;
 };
 

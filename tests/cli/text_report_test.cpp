@@ -55,6 +55,21 @@ TEST(TextReport, IsWrittenThoughAMarkedCharacterTakesNoColumn) {
     EXPECT_THAT(text, HasSubstr(" 2 | G0 X1. \xCC\x80\n   |       ^\n"));
 }
 
+TEST(TextReport, TellsAHabitInFullThreeTimesAndThenListsItsPlaces) {
+    const auto written = [](Severity severity, PathDetail path) {
+        HandMade made("O1.nc", "O1\nG0 X1.\nG0 X2.\nG0 X3.\nG0 X4.\nG0 X5.\nM30\n");
+        for (const char* place : {"X1.", "X2.", "X3.", "X4.", "X5."}) made.add(place, severity);
+        return write_text(made.report(), {.path = path});
+    };
+    const std::string habit = written(Severity::warning, PathDetail::shortened);
+    EXPECT_THAT(habit, HasSubstr("The same in 2 more places; --path full shows all.\n"
+                                 "  O1.nc:5:4\n  O1.nc:6:4\n"));
+    EXPECT_THAT(habit, HasSubstr("4 | G0 X3."));
+    EXPECT_THAT(habit, Not(HasSubstr("5 | G0 X4.")));
+    EXPECT_THAT(written(Severity::warning, PathDetail::full), HasSubstr("6 | G0 X5."));
+    EXPECT_THAT(written(Severity::error, PathDetail::shortened), HasSubstr("6 | G0 X5."));
+}
+
 TEST(Frame, ShowsTextOfOtherEncodingsAsUtf8) { EXPECT_EQ(line_of("(\xF6) X1", {4, 6}), "(ö) X1\n    ^^"); }
 
 TEST(Frame, EscapesWhatATerminalWouldActOn) {
