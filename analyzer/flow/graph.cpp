@@ -557,7 +557,7 @@ class Building {
     }
 
     [[nodiscard]] bool works(const Node& node) const {
-        if (node.is_run) {
+        if (node.is_run) { // moves() tells of the whole run, of which this may be a part
             bool moves = false;
             for_each_block(program_, node.stretch(), [&](const BlockView& block) { moves |= block.moves; });
             return moves;

@@ -25,7 +25,8 @@ extern const Rule unknown_keyword{
           "If the program is for another control, name that (--dialect, or \"files\" in the configuration)."},
          {"construct", "No block IF on this control, which stops at '{0}'.", "{1}."},
          {"construct elsewhere", "Block IF: the assumed control has none and stops at '{0}'.",
-          "If the program runs on {2}, name that (--control); a FANUC that has it says so by \"block-if\"."}},
+          "If the program runs on {2}, name that (--control), or give the control \"block-if\" in the "
+          "configuration."}},
     .bad = {{"fanuc", R"nc(
 O9118(DEPTH)
 IF[#100LTE5]GOTO10

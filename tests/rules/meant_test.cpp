@@ -81,9 +81,10 @@ TEST(Meant, AWordWithoutAnArgumentIsNoFunction) {
 }
 
 TEST(Meant, LettersOfGotoAreNoRapidTraverse) {
-    for (const char* block : {"IF[#100EQ1]GOT5", "GOT 5", "GTO5"})
+    for (const char* block : {"IF[#100EQ1]GOT5", "IF[#100EQ1]GOT 5", "GTO5", "IF[#100EQ1]GTO5"})
         EXPECT_THAT(message_of_block(block), HasSubstr("Write 'GOTO'")) << block;
     EXPECT_THAT(message_of_block("GO X5."), HasSubstr("G0")) << "a letter O";
+    EXPECT_THAT(message_of_block("GOT0101"), Not(HasSubstr("GOTO"))) << "G0 T0101";
 }
 
 TEST(Meant, TheNearestSequenceNumberIsADigitAway) {

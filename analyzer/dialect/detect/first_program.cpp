@@ -21,17 +21,13 @@ bool is_name_line(std::string_view line) { return line.size() > 1 && line[0] == 
 /// line, or nothing.
 template<class Step>
 std::string_view cut_by(std::string_view text, const Step& step) {
-    Line line;
-    LineEnds ends(text);
-    for (std::size_t at = 0; at < text.size();) {
-        const std::size_t end = ends.from(at);
-        line.read(text.substr(at, end - at));
-        at = end + 1;
-        if (line.whole().empty()) continue;
-        if (const std::optional<bool> whole = step(line))
-            return *whole ? text.substr(0, end) : text.substr(0, 0);
-    }
-    return {};
+    std::string_view cut;
+    for_each_filled_line(text, [&](const Line& line, std::size_t end) {
+        const std::optional<bool> whole = step(line);
+        if (whole.value_or(false)) cut = text.substr(0, end);
+        return !whole;
+    });
+    return cut;
 }
 
 /// A program number, then nothing but blocks.

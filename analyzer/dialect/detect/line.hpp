@@ -97,6 +97,19 @@ class Line {
     bool plain_ = false;
 };
 
+/// `visit(line, end)` for each line that is not empty, and the byte at which it ends, until it answers false.
+template<class Visit>
+void for_each_filled_line(std::string_view text, const Visit& visit) {
+    Line line;
+    LineEnds ends(text);
+    for (std::size_t at = 0; at < text.size();) {
+        const std::size_t end = ends.from(at);
+        line.read(text.substr(at, end - at));
+        at = end + 1;
+        if (!line.whole().empty() && !visit(line, end)) return;
+    }
+}
+
 /// `line` without a sequence number `N10` or the bare number of a Klartext line.
 [[nodiscard]] std::string_view after_number(std::string_view line);
 

@@ -175,24 +175,18 @@ bool words_in_round_brackets(const Line& line) {
 bool reads_as_din_plus(std::string_view text) {
     std::size_t read = 0, others = 0;
     bool in_comment = false;
-    Line line;
-    LineEnds ends(text);
-    for (std::size_t at = 0; at < text.size();) {
-        const std::size_t end = ends.from(at);
-        line.read(text.substr(at, end - at));
-        at = end + 1;
+    for_each_filled_line(text, [&](const Line& line, std::size_t) {
         const std::string_view whole = line.whole();
-        if (whole.empty()) continue;
         const bool begun = in_comment;
         const std::size_t open = whole.rfind('[');
         const std::size_t close = whole.rfind(']');
         if (open != std::string_view::npos || close != std::string_view::npos)
             in_comment = close == std::string_view::npos || (open != std::string_view::npos && open > close);
-        if (begun) continue;
-        if (section_word(line) || end_of_program_word(line)) continue;
+        if (begun || section_word(line) || end_of_program_word(line)) return true;
         const bool is_other = is_capital(whole.front()) && has_word_for_people(line.code());
         (is_other ? others : read) += 1;
-    }
+        return true;
+    });
     return others <= read || others == 1;
 }
 

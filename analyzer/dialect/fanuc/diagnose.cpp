@@ -344,7 +344,8 @@ std::optional<SyntaxError> ErrorExplainer::misspelt_jump() const {
     for (std::size_t i = 0; i + 1 < tokens_.size(); ++i) {
         const TokenKind next = tokens_[i + 1].kind;
         const bool has_target = next == TokenKind::number || next == TokenKind::variable;
-        if (tokens_[i].kind == TokenKind::letters && has_target && is_misspelt_goto(capitals(tokens_[i])))
+        if (tokens_[i].kind == TokenKind::letters && has_target &&
+            is_misspelt_goto(capitals(tokens_[i]), has_word("IF")))
             return make(SyntaxErrorKind::unknown_keyword, tokens_[i].span, text(tokens_[i]), "GOTO");
     }
     return std::nullopt;

@@ -104,9 +104,10 @@ std::string_view comparison_word(std::string_view sign) {
     return row == std::end(words) ? std::string_view() : row->second;
 }
 
-bool is_misspelt_goto(std::string_view capitals) {
-    static constexpr std::string_view ends[] = {"GOT", "GTO", "GOOTO", "GOTTO"};
-    return std::ranges::any_of(ends, [&](std::string_view end) { return capitals.ends_with(end); });
+bool is_misspelt_goto(std::string_view capitals, bool behind_if) {
+    static constexpr std::string_view ends[] = {"GTO", "GOOTO", "GOTTO"};
+    return (behind_if && capitals.ends_with("GOT")) ||
+           std::ranges::any_of(ends, [&](std::string_view end) { return capitals.ends_with(end); });
 }
 
 std::vector<std::string_view> split_keywords(std::string_view capitals) {

@@ -32,8 +32,9 @@ constexpr std::string_view in_place_of_block_if = "THEN takes one statement in i
 /// or more that are no keywords, as in remarks.
 [[nodiscard]] bool is_for_people(std::string_view capitals);
 
-/// Letters that can only be a GOTO with one left out or doubled: `GOT`, `GTO`.
-[[nodiscard]] bool is_misspelt_goto(std::string_view capitals);
+/// Letters that can only be a GOTO with one left out or doubled: `GTO`, and `GOT` behind an IF. Elsewhere
+/// `GOT0101` may be G0 T0101 with the letter for the figure.
+[[nodiscard]] bool is_misspelt_goto(std::string_view capitals, bool behind_if);
 
 /// What somebody meant who wrote a word that is none.
 struct Misspelling {

@@ -111,8 +111,7 @@ void BlockLowering::check_empty_word(const Node& word) {
 void BlockLowering::check_letter_o(const Node& word) {
     const Span all = with_rest_of_number(word);
     const std::optional<Span> jump = find_jump_with_zero(program_->text, all);
-    if (jump &&
-        std::ranges::any_of(items_, [&](const Node* item) { return kind_of(*item) == Kind::if_statement; })) {
+    if (jump && holds_if()) {
         const std::string_view number = program_->slice(*jump).substr(std::string_view("G0TO").size());
         report(SyntaxErrorKind::unknown_keyword, *jump, "GOTO" + std::string(number));
         return;
@@ -135,6 +134,11 @@ void BlockLowering::check_letter_o(const Node& word) {
     refuse(kind, all, std::move(mended), std::move(remedy));
 }
 
+bool BlockLowering::holds_if() const {
+    return std::ranges::any_of(items_,
+                               [&](const Node* item) { return kind_of(*item) == Kind::if_statement; });
+}
+
 /// `GOT 5`, `GTO5`: letters of GOTO before a number, which read as words with O for 0.
 std::optional<Span> BlockLowering::find_jump_misspelt(Span word) const {
     const std::string_view text = program_->text;
@@ -142,7 +146,7 @@ std::optional<Span> BlockLowering::find_jump_misspelt(Span word) const {
     while (begin > block_.begin && is_letter(text[begin - 1])) --begin;
     Offset end = word.begin;
     while (end < block_.end && is_letter(text[end])) ++end;
-    const bool is_meant = is_misspelt_goto(in_capitals(text.substr(begin, end - begin)));
+    const bool is_meant = is_misspelt_goto(in_capitals(text.substr(begin, end - begin)), holds_if());
     Offset next = end;
     while (next < block_.end && is_blank(text[next])) ++next;
     if (!is_meant || next == block_.end || (!is_digit(text[next]) && text[next] != '#')) return std::nullopt;

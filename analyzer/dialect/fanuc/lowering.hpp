@@ -106,6 +106,7 @@ class BlockLowering : private TreeLowering {
     void check_depth(const Node& node, int depth);
     void check_empty_word(const Node& word);
     void check_letter_o(const Node& word);
+    [[nodiscard]] bool holds_if() const;
     [[nodiscard]] std::optional<Span> find_jump_misspelt(Span word) const;
     [[nodiscard]] Span with_rest_of_number(const Node& word) const;
     [[nodiscard]] bool may_be_jump(Span word) const;
