@@ -30,6 +30,13 @@ Content Stepper::evaluate(ExpressionId id) {
                       text().expressions[id].node);
 }
 
+/// Evaluates what leaves the program's variables.
+Content Stepper::give(ExpressionId id) {
+    const Content content = evaluate(id);
+    if (!done()) report(ValueGiven{id, content});
+    return content;
+}
+
 Content Stepper::load(ExpressionId id, Variable variable) {
     const Content content = content_of(variable);
     report(VariableRead{id, variable, content});

@@ -50,6 +50,11 @@ struct Decided {
     ExpressionId condition;
     bool truth;
 };
+/// What a word, an argument, a variable of the machine or a printed line is given.
+struct ValueGiven {
+    ExpressionId expression;
+    Content content;
+};
 struct Stored {
     Variable variable;
     Content old, content;
@@ -95,7 +100,7 @@ struct ProgramLeft {
 
 using Event =
     std::variant<ProgramBegins, BlockBegins, EffectBegins, VariableRead, GroupRead, Applied, Compared,
-                 Decided, Stored, GroupSet, JumpComputed, CallBegins, CallEnds, ProgramLeft>;
+                 Decided, ValueGiven, Stored, GroupSet, JumpComputed, CallBegins, CallEnds, ProgramLeft>;
 
 class Stepper;
 using Observer = std::function<void(Stepper&, const Event&)>;

@@ -39,6 +39,7 @@ Leaving Stepper::run(const Start& start) {
     auto variables = std::make_shared<Variables>();
     for (const auto& [variable, content] : start.variables) (*variables)[variable] = content;
     enter(start.program, std::move(variables));
+    if (start.from) top().at = {top().layout->step_of(*start.from), {}};
     while (!done()) step();
     return *left_;
 }
@@ -162,7 +163,7 @@ void Stepper::run_effect(EffectId id) {
     std::visit(overloaded{
                    [&](const Assign& what) { assign(what); }, [&](const SetModal& what) { set_modal(what); },
                    [&](const EvaluateWords& what) {
-                       for (const ExpressionId value : text().values_of(what)) (void)evaluate(value);
+                       for (const ExpressionId value : text().values_of(what)) give(value);
                    },
                    [&](const Motion&) { move(); }, [&](const Stop& what) { stop(id, what); },
                    [&](const RegionMark& what) { pass_mark(id, what); },
@@ -185,7 +186,8 @@ void Stepper::go_to(EffectId after) { top().at = top().layout->after(after); }
 // ---- effects
 
 void Stepper::assign(const Assign& assign) {
-    const Content content = evaluate(assign.value);
+    const bool is_given = std::holds_alternative<StoreMachine>(assign.target);
+    const Content content = is_given ? give(assign.value) : evaluate(assign.value);
     if (done()) return;
     std::visit(overloaded{
                    [&](const Variable& variable) { store(variable, content); },
@@ -212,7 +214,7 @@ void Stepper::store_at(const StoreAt& target, Content content) {
 }
 
 void Stepper::set_modal(const SetModal& set) {
-    const Content content = evaluate(set.value);
+    const Content content = give(set.value);
     if (done() || !content) return; // a word with a vacant variable is ignored [SEED-001:187-195]
     const std::optional<GroupId> stated = set.group ? set.group : control().group_of(set.letter, *content);
     if (stated) set_group(*stated, content);
@@ -232,7 +234,7 @@ void Stepper::set_code(GroupId changed, double code) {
 }
 
 void Stepper::stop(EffectId id, const Stop& stop) {
-    if (stop.number) (void)evaluate(*stop.number);
+    if (stop.number) give(*stop.number);
     if (done()) return;
     switch (stop.kind) {
     case Stop::Kind::pause: return;
@@ -316,7 +318,7 @@ void Stepper::call(EffectId id, const Call& call) {
     const Program* callee =
         pending.target ? &top().analysis->workspace().programs()[*pending.target].program() : nullptr;
     for (const Argument& argument : text().arguments_of(call)) {
-        const Content content = evaluate(argument.value);
+        const Content content = give(argument.value);
         if (const auto formal = bound_to(argument, callee)) pending.arguments.push_back({*formal, content});
     }
     if (call.repeat) {
@@ -369,7 +371,7 @@ void Stepper::return_to_caller(EffectId id, const Return& what) {
 }
 
 void Stepper::exchange(const Exchange& exchange) {
-    for (const ExpressionId out : text().values_of(exchange)) (void)evaluate(out);
+    for (const ExpressionId out : text().values_of(exchange)) give(out);
     if (done()) return;
     for (const Variable in : text().variables_of(exchange)) store(in, environment_.typed_in(text(), in));
 }

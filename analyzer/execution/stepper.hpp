@@ -26,6 +26,7 @@ struct Bounds {
 struct Start {
     ProgramIndex program;
     std::vector<std::pair<Variable, Content>> variables;
+    std::optional<EffectId> from = {}; ///< an effect in whose block the run begins instead of the first one
 };
 
 class Stepper {
@@ -101,6 +102,7 @@ class Stepper {
     void move();
 
     [[nodiscard]] Content evaluate(ExpressionId id);
+    Content give(ExpressionId id);
     [[nodiscard]] Content load(ExpressionId id, Variable variable);
     [[nodiscard]] Content load_at(ExpressionId id, const LoadAt& load);
     [[nodiscard]] Content load_group(ExpressionId id, GroupId group);

@@ -4,14 +4,17 @@
 #include "analyzer/dataflow/facts/store.hpp"
 #include "analyzer/dialect/ascii.hpp"
 #include "analyzer/execution/given_up.hpp"
+#include "analyzer/program/tables.hpp"
 #include "analyzer/queries/conditions.hpp"
-#include "analyzer/queries/exits.hpp"
 #include "analyzer/queries/feasible_paths.hpp"
 #include "analyzer/queries/origins.hpp"
+#include "analyzer/semantics/concrete.hpp"
 
 #include <algorithm>
 #include <cstddef>
+#include <span>
 #include <string>
+#include <variant>
 #include <vector>
 
 namespace maclint::queries {
@@ -34,44 +37,86 @@ class VacantPath {
         , test_(test)
         , tested_(tested)
         , variable_(variable)
-        , seen_(analysis.graph().nodes.size(), false)
-        , checks_(ends_in_alarm(analysis, test.node, test.operation == Operation::equal)) {}
+        , seen_(analysis.graph().nodes.size(), false) {}
 
-    /// The first use, in the order of the paths' lengths, to which the program can come.
-    std::optional<Span> first_use() {
+    /// Whether a path leads from the program's start to the test on which no text sets the variable, and no
+    /// test tells that it is not vacant.
+    bool is_reached_vacant() {
+        pending_.assign(1, 0);
+        seen_.assign(seen_.size(), false);
+        seen_[0] = true;
+        for (std::size_t next = 0; next < pending_.size() && !seen_[test_.node]; ++next)
+            if (!sets_variable(pending_[next])) take_edges(pending_[next]);
+        return seen_[test_.node];
+    }
+
+    AfterZeroTest find() {
+        pending_.clear();
+        seen_.assign(seen_.size(), false);
+        AfterZeroTest found{.is_reached = true, .is_default = sets_on_the_side_of_zero()};
         take_edges(test_.node);
         std::size_t next = 0;
-        while (next < pending_.size()) { // it grows on the way
+        while (next < pending_.size() && !found.use) { // it grows on the way
             if (next == most_nodes) {
                 execution::GivenUp::note(analysis_.search_memory());
                 break;
             }
             const flow::NodeId node = pending_[next++];
-            if (const auto use = use_in(node); use && can_follow(analysis_, test_.node, node)) return use;
+            look_at(node, found);
             if (!sets_variable(node)) take_edges(node);
         }
-        return std::nullopt;
+        return found;
     }
 
   private:
-    /// Whether a condition that is this very comparison turns out so for vacant; nothing where vacant does
-    /// not decide it.
-    [[nodiscard]] std::optional<bool> outcome_of(ExpressionId condition, flow::NodeId node) const {
-        for (const Comparison& comparison : analysis_.facts().in<Comparison>(node)) {
-            if (comparison.expression != condition) continue;
-            const auto& program = analysis_.program();
-            if (plain_variable(program, comparison.left_expression) != variable_ &&
-                plain_variable(program, comparison.right_expression) != variable_)
-                return std::nullopt;
-            switch (comparison.operation) {
-            case Operation::is_vacant:
-            case Operation::not_equal: return true;
-            case Operation::is_set:
-            case Operation::equal: return false;
-            default: return std::nullopt;
-            }
-        }
+    /// What an expression is while the variable is vacant; nothing where it is not known.
+    [[nodiscard]] std::optional<semantics::Content> content_of(ExpressionId id) const {
+        const auto& node = analysis_.program().expressions[id].node;
+        if (const auto* literal = std::get_if<Literal>(&node)) return semantics::Content{literal->value};
+        if (std::holds_alternative<Vacant>(node) || plain_variable(analysis_.program(), id) == variable_)
+            return semantics::Content{};
         return std::nullopt;
+    }
+
+    /// Whether a condition is true while the variable is vacant; nothing where that does not decide it.
+    [[nodiscard]] std::optional<bool> outcome_of(ExpressionId condition) const {
+        const auto* apply = std::get_if<Apply>(&analysis_.program().expressions[condition].node);
+        if (apply == nullptr) return std::nullopt;
+        const auto operands = analysis_.program().operands_of(*apply);
+        switch (apply->operation) {
+        case Operation::all_of: return outcome_of_several(operands, false);
+        case Operation::any_of: return outcome_of_several(operands, true);
+        default: break;
+        }
+        const bool is_vacancy_test = semantics::is_vacancy_test(apply->operation);
+        if (!is_vacancy_test && !(semantics::is_comparison(apply->operation) && operands.size() == 2))
+            return std::nullopt;
+        const auto left = content_of(operands.front());
+        const auto right = content_of(operands.back());
+        if (!left || !right) return std::nullopt;
+        return is_vacancy_test ? semantics::test_vacancy(apply->operation, *left)
+                               : semantics::compare(apply->operation, *left, *right,
+                                                    analysis_.control().vacant_equals_zero);
+    }
+
+    /// Of parts of which one that is `deciding` decides.
+    [[nodiscard]] std::optional<bool> outcome_of_several(std::span<const ExpressionId> parts,
+                                                         bool deciding) const {
+        std::optional<bool> all = !deciding;
+        for (const ExpressionId part : parts) {
+            const auto outcome = outcome_of(part);
+            if (outcome == deciding) return deciding;
+            if (!outcome) all.reset();
+        }
+        return all;
+    }
+
+    /// Whether 0 is replaced by another value at once.
+    [[nodiscard]] bool sets_on_the_side_of_zero() const {
+        return std::ranges::any_of(analysis_.graph().out[test_.node], [&](flow::EdgeId id) {
+            const flow::Edge& edge = analysis_.graph().edges[id];
+            return edge.condition && outcome_of(*edge.condition) == !edge.holds && sets_variable(edge.to);
+        });
     }
 
     void take_edges(flow::NodeId node) {
@@ -79,7 +124,7 @@ class VacantPath {
             const flow::Edge& edge = analysis_.graph().edges[id];
             if (!analysis_.data().passable(id) || seen_[edge.to]) continue;
             if (edge.condition) {
-                const auto outcome = outcome_of(*edge.condition, node);
+                const auto outcome = outcome_of(*edge.condition);
                 if (outcome && *outcome != edge.holds) continue;
             }
             seen_[edge.to] = true;
@@ -87,14 +132,26 @@ class VacantPath {
         }
     }
 
-    [[nodiscard]] std::optional<Span> use_in(flow::NodeId node) const {
-        const auto reads = analysis_.facts().in<Read>(node);
-        const auto found = std::ranges::find_if(reads, [&](const Read& read) {
-            const bool counts = read.use == Use::arithmetic || (checks_ && read.use == Use::word);
-            return counts && is_tested_value(read);
-        });
-        if (found != reads.end()) return analysis_.program().expressions[found->expression].span;
-        return checks_ ? unreadable_use_in(node) : std::nullopt;
+    void look_at(flow::NodeId node, AfterZeroTest& found) const {
+        const auto note = [&](std::optional<Span>& place, Span span) {
+            if (!place && can_follow(analysis_, test_.node, node)) place = span;
+        };
+        for (const Read& read : analysis_.facts().in<Read>(node)) {
+            if (!is_tested_value(read) || (read.use == Use::copy && !leaves_program(node))) continue;
+            note(read.use == Use::vacancy_test ? found.asked
+                 : read.use == Use::comparison ? found.compared
+                                               : found.use,
+                 analysis_.program().expressions[read.expression].span);
+        }
+        if (const auto unreadable = unreadable_use_in(node)) note(found.use, *unreadable);
+    }
+
+    /// Whether what is stored there is for other programs, too.
+    [[nodiscard]] bool leaves_program(flow::NodeId node) const {
+        return std::ranges::any_of(
+            analysis_.facts().in<dataflow::Store>(node), [&](const dataflow::Store& store) {
+                return analysis_.control().spaces[store.variable.space].scope != Scope::frame;
+            });
     }
 
     [[nodiscard]] std::optional<Span> unreadable_use_in(flow::NodeId node) const {
@@ -115,6 +172,7 @@ class VacantPath {
     }
 
     [[nodiscard]] bool is_tested_value(const Read& read) const {
+        if (tested_.vacancy == Vacancy::unknown) return read.variable == variable_;
         if (read.value.vacancy != Vacancy::vacant && read.value.vacancy != Vacancy::maybe) return false;
         return read.value.symbol == tested_.symbol ||
                (read.variable == variable_ && read.value.vacancy_origin == tested_.vacancy_origin);
@@ -131,7 +189,6 @@ class VacantPath {
     Variable variable_;
     std::vector<bool> seen_;
     std::vector<flow::NodeId> pending_;
-    bool checks_; ///< the side that is meant for 0 leads straight to an alarm
 };
 
 bool is_path_without_assignment(const ProgramAnalysis& analysis, Variable variable, flow::NodeId node) {
@@ -142,13 +199,15 @@ bool is_path_without_assignment(const ProgramAnalysis& analysis, Variable variab
 
 } // namespace
 
-std::optional<Span> use_after_zero_test(const ProgramAnalysis& analysis, const Comparison& test,
-                                        const Value& tested, Variable variable) {
+AfterZeroTest find_after_zero_test(const ProgramAnalysis& analysis, const Comparison& test,
+                                   const Value& tested, Variable variable) {
     if (variable_of_origin(analysis, tested.vacancy_origin) == variable &&
         analysis.data().is_vacant_at_entry(variable) &&
         !is_path_without_assignment(analysis, variable, test.node))
-        return std::nullopt;
-    return VacantPath(analysis, test, tested, variable).first_use();
+        return {};
+    VacantPath path(analysis, test, tested, variable);
+    if (tested.vacancy_origin == 0 && !path.is_reached_vacant()) return {};
+    return path.find();
 }
 
 } // namespace maclint::queries

@@ -9,13 +9,21 @@
 
 namespace maclint::queries {
 
-/// The text that uses the variable on the side of the test that the program takes when it is vacant, with
-/// nothing set in between and no test for vacancy. Arithmetic takes vacant for 0, which is what the test was
-/// to prevent; a word counts only where the other side of the test ends in an alarm, for otherwise leaving
-/// the word out may be meant. A block that cannot be read uses all that it names but the first, unless it is
-/// a test. Nothing: the vacancy does no harm. `test` compares the variable with 0 by EQ or NE.
-[[nodiscard]] std::optional<Span> use_after_zero_test(const ProgramAnalysis& analysis,
-                                                      const dataflow::Comparison& test,
-                                                      const dataflow::Value& tested, Variable variable);
+/// What a program does with a variable on the side of a test that it takes when the variable is vacant, with
+/// nothing set in between.
+struct AfterZeroTest {
+    bool is_reached = false;      ///< a path comes to the test with the variable unset
+    bool is_default = false;      ///< on the other side the variable gets another value at once
+    std::optional<Span> use = {}; ///< a word, an argument, an index or an operand; a block that cannot be
+                                  ///< read uses all that it names but the first, unless it is a test
+    std::optional<Span> compared = {}; ///< by a test that tells no vacancy
+    std::optional<Span> asked = {};    ///< by a test for vacancy
+};
+
+/// The first of each in the order of the paths' lengths, behind none that settles it; a use ends the search.
+/// `test` compares the variable with 0 by EQ or NE.
+[[nodiscard]] AfterZeroTest find_after_zero_test(const ProgramAnalysis& analysis,
+                                                 const dataflow::Comparison& test,
+                                                 const dataflow::Value& tested, Variable variable);
 
 } // namespace maclint::queries

@@ -72,8 +72,8 @@ bool nothing_follows(const ProgramAnalysis& analysis, flow::NodeId node) {
                                 [&](flow::EdgeId edge) { return analysis.data().passable(edge); });
 }
 
-/// The only node that follows; where `side` is asked for, on that side of the node's decision. Nothing where
-/// there are none or several.
+} // namespace
+
 std::optional<flow::NodeId> only_successor(const ProgramAnalysis& analysis, flow::NodeId node,
                                            std::optional<bool> side) {
     std::optional<flow::NodeId> next;
@@ -87,8 +87,6 @@ std::optional<flow::NodeId> only_successor(const ProgramAnalysis& analysis, flow
     }
     return next;
 }
-
-} // namespace
 
 bool ends_in_alarm(const ProgramAnalysis& analysis, flow::NodeId test, bool side) {
     constexpr int most_nodes = 16;

@@ -21,6 +21,11 @@ namespace maclint::queries {
 /// Whether no path to an exit, alarms left out, leads around the node.
 [[nodiscard]] bool is_on_every_path(const ProgramAnalysis& analysis, flow::NodeId node);
 
+/// The only node that follows; where `side` is asked for, on that side of the node's decision. Nothing where
+/// there are none or several.
+[[nodiscard]] std::optional<flow::NodeId> only_successor(const ProgramAnalysis& analysis, flow::NodeId node,
+                                                         std::optional<bool> side);
+
 /// Whether that side of the decision in the node `test` leads straight to an alarm, or to a call that does
 /// not come back.
 [[nodiscard]] bool ends_in_alarm(const ProgramAnalysis& analysis, flow::NodeId test, bool side);

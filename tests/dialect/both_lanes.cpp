@@ -70,12 +70,13 @@ BothLanes forbid_plain_lane(std::string_view text, std::string_view control) {
     std::ranges::sort(ends);
     BothLanes lanes;
     lanes.plain = ends.size();
+    const std::string_view read = file.source->bytes(); // of a text in two bytes a letter other ones
     Offset copied = 0;
     for (const Offset end : ends) {
-        lanes.grammar_only.append(text.substr(copied, end - copied)).append(comment);
+        lanes.grammar_only.append(read.substr(copied, end - copied)).append(comment);
         copied = end;
     }
-    lanes.grammar_only.append(text.substr(copied));
+    lanes.grammar_only.append(read.substr(copied));
     return lanes;
 }
 

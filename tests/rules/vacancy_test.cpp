@@ -290,26 +290,87 @@ TEST(UninitialisedLocal, ManyTestsOfOneValueAreNotTooMany) {
     EXPECT_THAT(lines_raised("MAC209", text), ElementsAre(11));
 }
 
-TEST(ZeroTest, MattersOnlyWhereVacantIsCountedWithAfterwards) {
+TEST(ZeroTest, MattersWhereVacantIsUsedAfterwards) {
     // The variable is asked for vacancy before it is used, or set, or not used at all.
     EXPECT_THAT(lines_raised("MAC220", "O9001\nIF[#1NE0]GOTO60\n#3000=1\nN60\nG0X1.\nG0Y1.\nG0Z1.\nIF[#1EQ#0]"
                                        "GOTO70\nG0X[#1+1]\nN70M99\n"),
                 IsEmpty());
     EXPECT_THAT(lines_raised("MAC220", "O9001\nIF[#1EQ0]GOTO9\n#1=5.\n#33=#1+1\nN9M99\n"), IsEmpty());
     EXPECT_THAT(lines_raised("MAC220", "O9001\nIF[#1EQ0]GOTO9\nG0X5.\nN9M99\n"), IsEmpty());
-    // Another program may look after it, and a copy counts as well.
-    EXPECT_THAT(lines_raised("MAC220", "O9001\nIF[#1EQ0]GOTO9\nG65P9002A#1\nN9M99\n"), IsEmpty());
-    EXPECT_THAT(lines_raised("MAC220", "O9001\nIF[#1EQ0]GOTO9\n#33=#1\nG0X[#33+1]\nN9M99\n"), ElementsAre(2));
+    // As an operand, also of a copy, as a word, an argument, an index or for other programs.
+    const auto behind = [](const std::string& block) {
+        return lines_raised("MAC220", "O9001\nIF[#1EQ0]GOTO9\n" + block + "\nN9M99\n");
+    };
+    EXPECT_THAT(behind("#33=#1\nG0X[#33+1]"), ElementsAre(2));
+    EXPECT_THAT(behind("G0Z5.X#1"), ElementsAre(2));
+    EXPECT_THAT(behind("G65P9002A#1"), ElementsAre(2));
+    EXPECT_THAT(behind("#501=#[#1+500]"), ElementsAre(2));
+    EXPECT_THAT(behind("#500=#1"), ElementsAre(2));
+    EXPECT_THAT(behind("IF[#1GT5]GOTO9\nG0Z5."), ElementsAre(2));
+    EXPECT_THAT(behind("#33=#1"), IsEmpty());
+}
+
+TEST(ZeroTest, IsSilentWhereVacantAndZeroLeadToTheSame) {
+    EXPECT_THAT(lines_raised("MAC220", "O9001\nIF[#7EQ0]GOTO9\nM#7\nN9M99\n"), IsEmpty());
+    EXPECT_THAT(lines_raised("MAC220", "O9001\n#2=5\nIF[#1NE0]THEN#2=#2+#1\nG0X#2\nM99\n"), IsEmpty());
+    EXPECT_THAT(lines_raised("MAC220", "O9001\n#2=5\nIF[#1NE0]THEN#2=1+#1\nG0X#2\nM99\n"), ElementsAre(3));
+    // The check behind it refuses both.
+    const std::string refused = "\nIF[#1LT0.1]GOTO8\nG0X#1\nM99\nN8#3000=1\n";
+    EXPECT_THAT(lines_raised("MAC220", "O9001\nIF[#1EQ0]GOTO8" + refused), IsEmpty());
+    EXPECT_THAT(lines_raised("MAC220", "O9001\nIF[#1EQ0]GOTO8\nIF[#1LT-5]GOTO8\nG0X#1\nM99\nN8#3000=1\n"),
+                ElementsAre(2));
+    // A choice among numbers that refuses what is missing.
+    EXPECT_THAT(lines_raised("MAC220", "O9001\nIF[#2EQ0]GOTO5\nIF[#2EQ1]GOTO5\n#3000=1\nN5G0X5.\nM99\n"),
+                IsEmpty());
+}
+
+TEST(ZeroTest, ThatKeepsADefaultFromWhatIsMissingMattersThoughTheMissingIsRefused) {
+    EXPECT_THAT(lines_raised("MAC220", "O9001\nIF[#19NE0]GOTO5\n#19=930\nN5IF[#19LE200]GOTO8\nS#19\nM99\n"
+                                       "N8#3000=1\n"),
+                ElementsAre(2));
+}
+
+TEST(ZeroTest, BesideAnotherTestForVacancyForgetsWhatItExpects) {
+    const std::string later = "\nN4M8\nN5IF[#1EQ#0]GOTO9\nG0X#1\nN9M99\n";
+    EXPECT_THAT(lines_raised("MAC220", "O9001\nIF[#1EQ0]GOTO5" + later), ElementsAre(2));
+    EXPECT_THAT(messages_raised("MAC220", "O9001\nIF[#1EQ0]GOTO5" + later),
+                ElementsAre(HasSubstr("Line 4 expects that it can be vacant")));
+    // Only numbers are meant, and nothing is done with them.
+    EXPECT_THAT(lines_raised("MAC220", "O9001\nIF[#1EQ0]GOTO5\nN4M8\nN5G0X5.\nM99\n"), IsEmpty());
+    // What is missing is refused always.
+    EXPECT_THAT(lines_raised("MAC220", "O9001\nIF[#1NE0]GOTO8\nIF[#1NE#0]GOTO5\nM8\nN5M99\nN8#3000=1\n"),
+                ElementsAre(2));
+}
+
+TEST(ZeroTest, OfARowOfTestsForVacancyIsNoTestForAWrongZero) {
+    const auto row = [](const std::string& first) {
+        return lines_raised("MAC220", "O9001\n" + first +
+                                          "\nIF[#2NE0]GOTO3\n#3000=1\nN3IF[#2EQ#0]GOTO9\nG0Y#2\n"
+                                          "N9M99\n");
+    };
+    EXPECT_THAT(row("IF[#1NE#0]GOTO3"), ElementsAre(3));
+    EXPECT_THAT(row("IF[#1NE#0]GOTO9"), IsEmpty());
+    EXPECT_THAT(row("IF[#1NE5]GOTO3"), IsEmpty());
+}
+
+TEST(ZeroTest, OfALetterMattersBehindAProgramThatIsNotThere) {
+    const auto behind = [](const std::string& before) {
+        return lines_raised("MAC220",
+                            "O9001\n" + before + "M98P9723\nIF[#25NE0]GOTO10\n#25=#2\nN10\nG0X0Y#25\nM99\n");
+    };
+    EXPECT_THAT(behind(""), ElementsAre(3));
+    EXPECT_THAT(behind("#25=5\n"), IsEmpty());
+    EXPECT_THAT(behind("IF[#25NE#0]GOTO2\n#25=5\nN2"), IsEmpty());
 }
 
 TEST(ZeroTest, FollowsTheVacantVariableThroughOtherTests) {
     // The variable is used on the next line, or where the test between them leads.
     const auto on = [](const std::string& between) {
-        return lines_raised("MAC220", "O9001\nIF[#1EQ0]GOTO9\n" + between + "\nG0X[#1+1.]\nN8M99\nN9\n")
+        return lines_raised("MAC220", "O9001\nIF[#1EQ0]GOTO9\n" + between + "\nG0X[#1+1.]\nN8\nN9M99\n")
             .size();
     };
     const auto where_it_leads = [](const std::string& test) {
-        return lines_raised("MAC220", "O9001\nIF[#1EQ0]GOTO9\n" + test + "\nM99\nN8G0X[#1+1.]\nM99\nN9\n")
+        return lines_raised("MAC220", "O9001\nIF[#1EQ0]GOTO9\n" + test + "\nM99\nN8G0X[#1+1.]\nN9M99\n")
             .size();
     };
     EXPECT_EQ(on("IF[#1EQ#0]GOTO8"), 0U);
@@ -342,7 +403,8 @@ TEST(ZeroTest, MattersWhereABlockThatCannotBeReadNamesTheVariable) {
     EXPECT_THAT(lines_raised("MAC220", after("#33=ABS(#26)+[1/#5]")), IsEmpty());
     EXPECT_THAT(lines_raised("MAC220", after("#4 = ABS(#26)+[1/#5]")), IsEmpty());
     EXPECT_THAT(lines_raised("MAC220", after("IF[#4EQ#0]]GOTO9")), IsEmpty());
-    EXPECT_THAT(lines_raised("MAC220", "O9001\nIF[#4EQ0]GOTO9\n#33=ABS(#26)+[1/#4]\nN9M99\n"), IsEmpty());
+    EXPECT_THAT(lines_raised("MAC220", "O9001\nIF[#4EQ0]GOTO9\n#33=ABS(#26)+[1/#4]\nN9M99\n"),
+                ElementsAre(2));
 }
 
 TEST(ZeroTest, ShowsTheCallThatLeavesTheArgumentOut) {

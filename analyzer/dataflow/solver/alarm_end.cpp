@@ -78,7 +78,7 @@ class Finder {
 
     [[nodiscard]] bool works(flow::NodeId node) const {
         const Slice effects = graph_.nodes[node].effects;
-        if (effects.count == 0) return moves(program_, graph_.nodes[node].stretch());
+        if (graph_.nodes[node].is_run) return moves(program_, graph_.nodes[node].stretch());
         for (Id id = effects.first; id < effects.first + effects.count; ++id) {
             const auto& what = program_.effects[id].what;
             const AlarmEnd* called = end_of_call(id);

@@ -1,0 +1,72 @@
+//! Reads the words of the blocks that are run.
+#include "analyzer/execution/outputs.hpp"
+
+#include "analyzer/program/block_view.hpp"
+#include "analyzer/program/overloaded.hpp"
+#include "analyzer/program/tables.hpp"
+
+#include <algorithm>
+#include <bit>
+
+namespace maclint::execution {
+
+const WordTexts::OfProgram& WordTexts::of(const Program& program) {
+    const auto [known, fresh] = programs_.try_emplace(&program);
+    if (!fresh) return known->second;
+    OfProgram& texts = known->second;
+    const auto every_block = [](const WordSummary&) { return true; };
+    for_each_block_with_words(program, every_block,
+                              [&](const BlockView& block, std::span<const Word> words, const WordSummary*) {
+                                  for (const Word& word : words)
+                                      if (const auto* literal = std::get_if<Literal>(&word.value))
+                                          texts.literal_words[block.span.begin].push_back(
+                                              {word.address, std::bit_cast<std::uint64_t>(literal->value)});
+                                      else if (const auto* computed = std::get_if<ExpressionId>(&word.value))
+                                          texts.addresses.emplace(*computed, word.address);
+                              });
+    return texts;
+}
+
+void Outputs::observe(const Stepper& stepper, const Event& event) {
+    const Program& program = stepper.program().program();
+    const auto note = [](std::vector<Given>& list, std::string_view what, double value) {
+        list.push_back({what, std::bit_cast<std::uint64_t>(value)});
+    };
+    std::visit(overloaded{
+                   [&](const BlockBegins& block) {
+                       const auto& literal = texts_->of(program).literal_words;
+                       const auto words = literal.find(block.span.begin);
+                       if (words != literal.end())
+                           given_.insert(given_.end(), words->second.begin(), words->second.end());
+                   },
+                   [&](const EffectBegins& begun) {
+                       const Effect& effect = program.effects[begun.effect];
+                       if (std::holds_alternative<Exchange>(effect.what))
+                           note(given_, program.slice(effect.span), 0);
+                   },
+                   [&](const ValueGiven& value) {
+                       if (!value.content) return;
+                       const auto& addresses = texts_->of(program).addresses;
+                       const auto address = addresses.find(value.expression);
+                       note(given_, address == addresses.end() ? std::string_view{} : address->second,
+                            *value.content);
+                   },
+                   [&](const Stored& stored) {
+                       if (stored.old == stored.content) return;
+                       note(stored_, {}, static_cast<double>(stored.variable.number));
+                       note(stored_, {}, stored.content.value_or(-0.0)); // no number that is stored is -0
+                   },
+                   [&](const ProgramLeft& left) {
+                       if (stepper.depth() == 0) note(stored_, {}, static_cast<double>(left.how));
+                   },
+                   [](const auto&) {},
+               },
+               event);
+}
+
+bool Outputs::gives_no_more_than(const Outputs& other) const {
+    return given_.size() <= other.given_.size() &&
+           std::equal(given_.begin(), given_.end(), other.given_.begin());
+}
+
+} // namespace maclint::execution

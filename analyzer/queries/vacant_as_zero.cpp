@@ -1,0 +1,166 @@
+//! Trial runs, whose unknowns are the same for both contents of the variable.
+#include "analyzer/queries/vacant_as_zero.hpp"
+
+#include "analyzer/program/tables.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <string>
+#include <utility>
+#include <variant>
+#include <vector>
+
+namespace maclint::queries {
+namespace {
+
+using execution::Content;
+
+constexpr std::uint64_t most_trials = 40;
+constexpr execution::Bounds bounds{.steps = 1500, .depth = 4};
+/// So many blocks are run for one program, whatever is asked.
+constexpr std::size_t most_blocks = 400'000;
+/// So many numbers of the program's text are tried.
+constexpr std::size_t most_numbers = 60;
+
+/// The numbers that unknowns get: usual ones, and those that the program is written with and greater ones, as
+/// it may compare with them.
+std::vector<double> numbers_for(const Program& program) {
+    std::vector<double> numbers{0, 1, 2, -1, 0.5, 5, 100};
+    const auto add = [&](double number) {
+        if (numbers.size() < most_numbers && std::ranges::find(numbers, number) == numbers.end())
+            numbers.push_back(number);
+    };
+    for (const Expression& expression : program.expressions)
+        if (const auto* literal = std::get_if<Literal>(&expression.node)) {
+            add(literal->value);
+            add(literal->value + 1);
+        }
+    return numbers;
+}
+
+/// Everything that the text does not tell: the same for the same question in the same trial.
+class Unknowns {
+  public:
+    Unknowns(std::vector<double> numbers, std::uint64_t trial)
+        : numbers_(std::move(numbers))
+        , trial_(trial) {}
+
+    /// In every other trial nothing is vacant: many programs refuse to run without one of their letters.
+    [[nodiscard]] Content content(std::string_view question) const {
+        const std::uint64_t chance = chance_of(question);
+        if (trial_ % 2 == 0 && chance % 4 == 0) return {};
+        return numbers_[chance / 4 % numbers_.size()];
+    }
+    [[nodiscard]] double number(std::string_view question) const {
+        return numbers_[chance_of(question) / 4 % numbers_.size()];
+    }
+
+  private:
+    [[nodiscard]] std::uint64_t chance_of(std::string_view question) const {
+        std::uint64_t hash = 14695981039346656037U ^ (trial_ * 0x9E3779B97F4A7C15U);
+        for (const char c : question) hash = (hash ^ static_cast<unsigned char>(c)) * 1099511628211U;
+        return hash ^ (hash >> 29U);
+    }
+
+    std::vector<double> numbers_;
+    std::uint64_t trial_;
+};
+
+execution::Environment environment_of(const ControlModel& control, const Unknowns& unknowns) {
+    execution::Environment environment;
+    environment.at_start = [&](const Program& program, Variable variable) {
+        return unknowns.content(program.spell(variable));
+    };
+    environment.code_at_start = [&](GroupId id) {
+        const ModalGroup& group = control.groups[id];
+        if (group.members.empty()) return group.reset.value_or(unknowns.number(group.name));
+        const auto at = static_cast<std::size_t>(std::abs(unknowns.number(group.name)));
+        return group.members[at % group.members.size()].number;
+    };
+    environment.value_of = [&](const Program& program, ExpressionId id) {
+        return Content{unknowns.number(program.slice(program.expressions[id].span))};
+    };
+    environment.typed_in = [&](const Program& program, Variable variable) {
+        return Content{unknowns.number(program.spell(variable))};
+    };
+    environment.skips = [](const BlockView&) { return false; };
+    environment.unknown_call = [](const Program&, CallKindId) { return execution::UnknownEffects{}; };
+    return environment;
+}
+
+std::vector<Variable> locals_read_in(const Program& program) {
+    std::vector<Variable> locals;
+    for (const Expression& expression : program.expressions) {
+        const auto* load = std::get_if<Load>(&expression.node);
+        if (load != nullptr && program.control->spaces[load->variable.space].scope == Scope::frame &&
+            std::ranges::find(locals, load->variable) == locals.end())
+            locals.push_back(load->variable);
+    }
+    return locals;
+}
+
+} // namespace
+
+VacancyTrials::VacancyTrials(const ProgramAnalysis& analysis)
+    : analysis_(analysis)
+    , unset_(analysis) {}
+
+VacancyTrials::Trial VacancyTrials::run(const dataflow::Comparison& test, Variable variable,
+                                        std::uint64_t number, Content content) {
+    const Unknowns unknowns(numbers_, number);
+    execution::Environment environment = environment_of(analysis_.control(), unknowns);
+    const auto others = environment.at_start;
+    environment.at_start = [&](const Program& program, Variable asked) {
+        return asked == variable ? content : others(program, asked);
+    };
+    execution::Start start{analysis_.index(), {}, test.effect};
+    const Program& program = analysis_.program();
+    for (const Local& local : locals_) {
+        const std::string name = program.spell(local.variable);
+        start.variables.emplace_back(local.variable, local.variable == variable ? content
+                                                     : local.may_be_vacant      ? unknowns.content(name)
+                                                                                : unknowns.number(name));
+    }
+    Trial trial{execution::Outputs(texts_), false, false};
+    execution::Stepper stepper(
+        analysis_.workspace(), environment,
+        [&](const execution::Stepper& at, const execution::Event& event) {
+            trial.outputs.observe(at, event);
+            blocks_ += std::holds_alternative<execution::BlockBegins>(event) ? 1U : 0U;
+        },
+        bounds);
+    const execution::Leaving how = stepper.run(start);
+    trial.is_refused = how == execution::Leaving::alarm;
+    trial.is_broken_off = how >= execution::Leaving::fault;
+    return trial;
+}
+
+std::optional<bool> VacancyTrials::are_alike(const dataflow::Comparison& test, Variable variable,
+                                             Refused refused) {
+    if (numbers_.empty()) {
+        numbers_ = numbers_for(analysis_.program());
+        for (const Variable local : locals_read_in(analysis_.program())) locals_.push_back({local, false});
+    }
+    for (Local& local : locals_) local.may_be_vacant = unset_.leads_to(local.variable, test.node);
+    std::optional<bool> alike;
+    for (std::uint64_t number = 0; number < most_trials; ++number) {
+        if (blocks_ > most_blocks) return std::nullopt;
+        const Trial vacant = run(test, variable, number, {});
+        const Trial zero = run(test, variable, number, 0.0);
+        if (vacant.is_refused && zero.is_refused) continue; // for something else, or too late to tell
+        const bool passes =
+            vacant.is_refused &&
+            (refused == Refused::is_alike ||
+             (refused == Refused::at_once && vacant.outputs.gives_no_more_than(zero.outputs)));
+        const bool is_alike = passes || vacant.outputs == zero.outputs;
+        if (is_alike && vacant.is_broken_off && zero.is_broken_off) continue;
+        if (!is_alike) return false;
+        alike = true;
+    }
+    return alike;
+}
+
+} // namespace maclint::queries
