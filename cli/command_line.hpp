@@ -47,6 +47,7 @@ struct CheckRequest {
     std::string since; ///< git revision; empty: all findings count
     DiscoverOptions discovery;
     bool error_on_empty = false; ///< a run that checks no program is an error
+    ExemptionChoice exemptions;
 };
 
 enum class ListFormat : std::uint8_t { text, json, markdown };

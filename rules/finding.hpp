@@ -48,6 +48,9 @@ struct Fix {
     std::vector<Edit> edits; ///< in the order of files and text; none of which touch each other
 };
 
+/// Some of a rule's exemptions: bit i is the one with that index.
+using ExemptionBits = std::uint32_t;
+
 /// Whether the control can take the paths that a finding shows.
 enum class Proof : std::uint8_t {
     path,    ///< it can, or none is shown
@@ -72,6 +75,8 @@ struct Finding {
         path; ///< in execution order, the finding's own place last; empty: no data flow involved
     std::vector<Fix> fixes; ///< the best first: each alone mends it, with its repeats as far as it can
     Proof proof = Proof::path;
+    /// Each of these holds it back: it does not count, and is there because somebody wants to see it.
+    ExemptionBits withheld = 0;
     /// Findings of one rule in one file that have the same words here are one finding in reports; empty: it
     /// stands alone.
     std::string same_cause = {};

@@ -4,12 +4,15 @@
 #include "analyzer/dataflow/facts/fact_set.hpp"
 #include "analyzer/program/capability.hpp"
 #include "analyzer/program/syntax_error.hpp"
+#include "analyzer/source/exemption.hpp"
 #include "rules/check.hpp"
 #include "rules/finding.hpp"
 #include "rules/reporter.hpp"
 
+#include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -54,6 +57,15 @@ struct Example {
     bool complete; ///< shown in a folder that the configuration declares complete
 };
 
+/// A guess by which a rule is silent although what it says is true. It is tried: its program raises the rule
+/// without it, and nothing with it.
+struct RuleExemption {
+    const Exemption* exemption;
+    std::string_view name; ///< "named-in-a-comment"; no other of the rule's has it
+    std::string_view why;  ///< a sentence: what is held back, and what the author is taken to mean
+    Example wanted_by;     ///< a program that is right, in which the rule would speak
+};
+
 /// The severity in programs of a language, where it is not the rule's own.
 struct OtherSeverity {
     std::string_view language; ///< of the control
@@ -84,8 +96,9 @@ struct Rule {
     /// The defect stands in the text: the path only shows how the control comes there.
     bool stands_without_path = false;
     std::vector<Message> messages;
-    std::vector<Example> bad;  ///< raises exactly this rule
-    std::vector<Example> good; ///< raises nothing
+    std::vector<Example> bad;                   ///< raises exactly this rule
+    std::vector<Example> good;                  ///< raises nothing
+    std::vector<RuleExemption> exemptions = {}; ///< 32 at most
     std::vector<Alarm> alarms = {};
     std::vector<std::string_view> sources;
     /// `SyntaxErrorKind`: whatever the text has of that kind, see rules/syntax_errors.hpp.
@@ -104,11 +117,40 @@ struct Rule {
 
 class RowIndexes;
 
+/// An exemption and whose it is.
+struct NamedExemption {
+    const Rule* rule;
+    std::size_t index; ///< in Rule::exemptions
+
+    [[nodiscard]] const RuleExemption& record() const { return rule->exemptions[index]; }
+    /// "MAC211/named-in-a-comment".
+    [[nodiscard]] std::string name() const {
+        return std::string(rule->code) + "/" + std::string(record().name);
+    }
+    friend bool operator==(const NamedExemption&, const NamedExemption&) = default;
+};
+
+/// Those of all rules, in their order.
+[[nodiscard]] const std::vector<NamedExemption>& all_exemptions();
+/// "MAC211/named-in-a-comment", also with another name of the rule, in any case. Nothing: there is none.
+[[nodiscard]] std::optional<NamedExemption> find_exemption(std::string_view name);
+/// Those that hold the finding back; empty: none does.
+[[nodiscard]] std::vector<NamedExemption> withheld_by(const Finding& finding);
+
+/// What becomes of findings that exemptions hold back.
+enum class Withheld : std::uint8_t { dropped, listed };
+
+struct ExemptionChoice {
+    std::vector<NamedExemption> without = {}; ///< these are off
+    Withheld withheld = Withheld::dropped;
+};
+
 /// The rules that run.
 struct Selection {
     std::vector<const Rule*> rules;
     /// Of those with rows the rows that run; nullptr: all of them.
     std::shared_ptr<const RowIndexes> rows = nullptr;
+    ExemptionChoice exemptions = {};
 };
 
 /// What the rule asks data flow for.
@@ -117,7 +159,8 @@ struct Selection {
 [[nodiscard]] dataflow::FactSet facts_for(const Selection& selection);
 
 /// Runs the selected rules over the workspace, which holds the facts for them, on up to `jobs` threads. The
-/// order of the findings is that of path, line, column, code, whatever `jobs` is.
+/// order of the findings is that of path, line, column, code, whatever `jobs` is. Where those are listed that
+/// exemptions hold back, Finding::withheld tells them from the others.
 [[nodiscard]] std::vector<Finding> run_rules(const Workspace& workspace, const Selection& selection,
                                              unsigned jobs);
 

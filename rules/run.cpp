@@ -8,6 +8,7 @@
 #include "analyzer/workspace/program_analysis.hpp"
 #include "analyzer/workspace/workspace.hpp"
 #include "rules/bounds_met.hpp"
+#include "rules/exemptions.hpp"
 #include "rules/finding_order.hpp"
 #include "rules/rule.hpp"
 #include "rules/syntax_errors.hpp"
@@ -55,26 +56,62 @@ Severity one_less(Severity severity) {
     return severity == Severity::error ? Severity::warning : Severity::note;
 }
 
+/// What one rule finds in a file or a program by itself.
+template<class Thing>
+std::vector<Finding> check(const Rule& rule, const Thing& thing, std::vector<BoundMet>& met) {
+    std::vector<Finding> findings;
+    Reporter reporter(rule);
+    const execution::GivenUp given_up;
+    const WorkLimit limit(work_for(thing));
+    run_check(rule, thing, reporter);
+    if ((given_up.any() && !rule.stands_without_path) || limit.is_met())
+        met.push_back({path_of(thing), rule.code});
+    for (Finding& finding : reporter.take()) {
+        const Proof proof = rule.stands_without_path ? Proof::path : finding.proof;
+        if (proof == Proof::no_path) continue;
+        if (proof == Proof::gave_up) finding.severity = one_less(finding.severity);
+        findings.push_back(std::move(finding));
+    }
+    return findings;
+}
+
+/// What exemptions of the selected rules hold back.
+template<class Thing>
+std::vector<Finding> withheld_in(const Selection& selection, const Thing& thing) {
+    std::vector<Finding> withheld;
+    for (const Rule* rule : selection.rules) {
+        if (rule->exemptions.empty() || !applies_to(*rule, control_of(thing))) continue;
+        const auto find = [&](ExemptionBits off) {
+            const auto exemptions = exemptions_of(*rule, off);
+            const WithoutExemptions without(exemptions);
+            std::vector<BoundMet> not_told;
+            return std::holds_alternative<WordCheck>(rule->check)
+                       ? check_words(Selection{.rules = {rule}, .rows = selection.rows}, thing)
+                       : check(*rule, thing, not_told);
+        };
+        std::ranges::move(withheld_findings(*rule, off_in(selection.exemptions, *rule), find),
+                          std::back_inserter(withheld));
+    }
+    return withheld;
+}
+
 /// Everything that the selected rules find in a file or a program.
 template<class Thing>
 std::vector<Finding> check(const Selection& selection, const Thing& thing, std::vector<BoundMet>& met) {
     std::vector<Finding> findings;
+    std::vector<const Exemption*> off_in_words; // those rules share a pass
     for (const Rule* rule : selection.rules) {
         if (!applies_to(*rule, control_of(thing))) continue;
-        Reporter reporter(*rule);
-        const execution::GivenUp given_up;
-        const WorkLimit limit(work_for(thing));
-        run_check(*rule, thing, reporter);
-        if ((given_up.any() && !rule->stands_without_path) || limit.is_met())
-            met.push_back({path_of(thing), rule->code});
-        for (Finding& finding : reporter.take()) {
-            const Proof proof = rule->stands_without_path ? Proof::path : finding.proof;
-            if (proof == Proof::no_path) continue;
-            if (proof == Proof::gave_up) finding.severity = one_less(finding.severity);
-            findings.push_back(std::move(finding));
-        }
+        const auto off = exemptions_of(*rule, off_in(selection.exemptions, *rule));
+        if (std::holds_alternative<WordCheck>(rule->check))
+            std::ranges::copy(off, std::back_inserter(off_in_words));
+        const WithoutExemptions without(off);
+        std::ranges::move(check(*rule, thing, met), std::back_inserter(findings));
     }
+    const WithoutExemptions without(off_in_words);
     std::ranges::move(check_words(selection, thing), std::back_inserter(findings));
+    if (selection.exemptions.withheld == Withheld::listed)
+        std::ranges::move(withheld_in(selection, thing), std::back_inserter(findings));
     return findings;
 }
 

@@ -100,15 +100,19 @@ bool DeliberateConditions::may_be_meant(const dataflow::Condition& condition,
          guarded_text(program, guard->effect) == guarded_text(program, condition.effect)))
         return false;
     if (sides.open) return false;
-    if (!guard && sides.near) return true;
-    if (!guard && settings_.is_all_that_is_read(condition.expression, condition.effect)) return true;
-    if (!guard && sides.vacant) return true; // MAC209's, or a case that is left over
-    if (leaves_nothing_to_run(condition)) return false;
-    if (only_clamps(analysis_, condition) || repeats_another(condition) || does_what_another_does(condition))
+    const bool asks_of_vacant = exemptions::condition_on_vacancy.is_on() && sides.vacant;
+    const bool asks_for_settings = !guard && exemptions::condition_on_settings.is_on();
+    if (!guard && exemptions::condition_near_rounding.is_on() && sides.near) return true;
+    if (asks_for_settings && settings_.is_all_that_is_read(condition.expression, condition.effect))
         return true;
-    if (!guard && settings_.is_read(condition.effect)) return true;
+    if (!guard && asks_of_vacant) return true; // MAC209's, or a case that is left over
+    if (leaves_nothing_to_run(condition)) return false;
+    if (exemptions::limit_made_sure.is_on() && only_clamps(analysis_, condition)) return true;
+    if (exemptions::jump_to_same_place.is_on() && repeats_another(condition)) return true;
+    if (exemptions::same_block_guarded_again.is_on() && does_what_another_does(condition)) return true;
+    if (asks_for_settings && settings_.is_read(condition.effect)) return true;
     // What is left over after all other cases were tested may be tested once more.
-    return condition.truth.can_hold || sides.vacant;
+    return asks_of_vacant || (exemptions::last_case_tested.is_on() && condition.truth.can_hold);
 }
 
 /// An earlier test sends to the same place: the second is not needed, but does no harm.

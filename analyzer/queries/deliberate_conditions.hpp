@@ -5,6 +5,7 @@
 #include "analyzer/dataflow/facts/condition.hpp"
 #include "analyzer/queries/guards_before.hpp"
 #include "analyzer/queries/settings.hpp"
+#include "analyzer/source/exemption.hpp"
 #include "analyzer/workspace/program_analysis.hpp"
 
 #include <cstdint>
@@ -13,6 +14,17 @@
 #include <string_view>
 
 namespace maclint::queries {
+
+/// By which a condition that decides nothing is taken for meant.
+namespace exemptions {
+inline constexpr Exemption condition_near_rounding;
+inline constexpr Exemption condition_on_settings;
+inline constexpr Exemption condition_on_vacancy;
+inline constexpr Exemption limit_made_sure;
+inline constexpr Exemption jump_to_same_place;
+inline constexpr Exemption same_block_guarded_again;
+inline constexpr Exemption last_case_tested;
+} // namespace exemptions
 
 /// Gathered in one pass over the facts of a program.
 class DeliberateConditions {

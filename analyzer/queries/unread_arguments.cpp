@@ -66,15 +66,20 @@ bool is_named(const Program& program, Variable variable) {
     });
 }
 
-/// #18 in the text, which no expression reads: a remark on an option.
+/// #18 in the text that no expression holds: a remark on an option.
 bool is_told_of(const Program& program, Variable variable) {
     const std::string_view text = program.slice(program.span);
     const std::string name = program.spell(variable);
     const auto goes_on = [&](std::size_t at) {
         return at < text.size() && (is_letter(text[at]) || is_digit(text[at]));
     };
+    const auto is_read = [&](std::size_t at) {
+        return std::ranges::any_of(program.expressions, [&](const Expression& expression) {
+            return expression.span.contains(static_cast<Offset>(program.span.begin + at));
+        });
+    };
     for (auto at = text.find(name); at != std::string_view::npos; at = text.find(name, at + 1))
-        if (!goes_on(at + name.size())) return true;
+        if (!goes_on(at + name.size()) && !is_read(at)) return true;
     return false;
 }
 
@@ -114,15 +119,10 @@ std::vector<Caller> others_that_pass(const ProgramAnalysis& called, const Caller
     return found;
 }
 
-/// What becomes of an argument that is not read as it was passed.
-struct Fate {
-    bool is_open = false; ///< a remark tells of it, or a block reads it that no path reaches
-    std::optional<EffectId> overwritten = {};
-};
-
-Fate fate_of(const Program& called, Variable variable) {
-    const auto store = first_store(called, variable);
-    return {!store && (is_named(called, variable) || is_told_of(called, variable)), store};
+/// Whether a block reads it that no path reaches, or a remark tells of it.
+bool is_provided_for(const Program& called, Variable variable) {
+    return (exemptions::argument_in_unreached_block.is_on() && is_named(called, variable)) ||
+           (exemptions::argument_in_a_remark.is_on() && is_told_of(called, variable));
 }
 
 /// A called program: which arguments were looked at, and which of them it reads.
@@ -138,18 +138,22 @@ class Called {
         looked_at_.push_back(variable);
         return true;
     }
-    /// Whether it certainly does not read it. It may where nothing is known, and where it stands in for a
-    /// program that is still to be written: one that reads no argument.
+    /// Whether it certainly does not read it. A program that reads no argument may stand in for one that is
+    /// still to be written.
     bool leaves_unread(Variable variable) {
-        if (!read_) read_ = reads_by_name(analysis_.program()) ? arguments_read(analysis_) : Variables{};
-        return !read_->empty() && std::ranges::find(*read_, variable) == read_->end();
+        if (!by_name_) by_name_ = reads_by_name(analysis_.program());
+        if (!*by_name_) return false;
+        if (!read_) read_ = arguments_read(analysis_);
+        if (read_->empty() && exemptions::program_to_be_written.is_on()) return false;
+        return std::ranges::find(*read_, variable) == read_->end();
     }
 
   private:
     using Variables = std::vector<Variable>;
     const ProgramAnalysis& analysis_;
     Variables looked_at_;
-    std::optional<Variables> read_; ///< nothing: nobody has asked
+    std::optional<bool> by_name_; ///< nothing: nobody has asked
+    std::optional<Variables> read_;
 };
 
 } // namespace
@@ -168,9 +172,9 @@ std::vector<UnreadArgument> unread_arguments(const ProgramAnalysis& analysis) {
             if (variable == nullptr || !known.takes(here, *variable) ||
                 !is_first_that_passes(*called, here, *variable) || !known.leaves_unread(*variable))
                 continue;
-            const Fate fate = fate_of(called->program(), *variable);
-            if (fate.is_open) continue;
-            found.push_back({site.effect, called, &argument, *variable, fate.overwritten,
+            const auto overwritten = first_store(called->program(), *variable);
+            if (!overwritten && is_provided_for(called->program(), *variable)) continue;
+            found.push_back({site.effect, called, &argument, *variable, overwritten,
                              others_that_pass(*called, here, *variable)});
         }
     }

@@ -1,12 +1,20 @@
 //! Values that a call passes and the called program never reads.
 #pragma once
 
+#include "analyzer/source/exemption.hpp"
 #include "analyzer/workspace/program_analysis.hpp"
 
 #include <optional>
 #include <vector>
 
 namespace maclint::queries {
+
+/// By which an argument that is not read is let pass.
+namespace exemptions {
+inline constexpr Exemption argument_in_a_remark;
+inline constexpr Exemption argument_in_unreached_block;
+inline constexpr Exemption program_to_be_written;
+} // namespace exemptions
 
 struct UnreadArgument {
     EffectId call;

@@ -98,6 +98,7 @@ Report report_of(const CheckRequest& request, Result result, std::vector<Notice>
     report.files = std::move(result.sources);
     report.fail_on = request.fail_on;
     report.statistics = request.statistics;
+    report.withheld = request.exemptions.withheld;
     if (fails(report, request.fail_on)) report.exit_status = exit_findings;
     if (std::ranges::any_of(report.notices, &Notice::is_error)) report.exit_status = exit_error;
     if (request.max_findings) limit(report, *request.max_findings);
@@ -183,7 +184,8 @@ int run_check(const CheckRequest& request) {
             return exit_error;
         }
         auto& gate = std::get<Gate>(opened);
-        result = Engine({.jobs = request.jobs}, *progress).analyse(snapshot);
+        result =
+            Engine({.jobs = request.jobs, .exemptions = request.exemptions}, *progress).analyse(snapshot);
         std::ranges::move(gate.judge(snapshot, result), std::back_inserter(notices));
         has_baseline = gate.has_baseline();
     }

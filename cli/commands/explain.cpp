@@ -2,6 +2,7 @@
 #include "cli/commands/commands.hpp"
 #include "cli/config/rule_words.hpp"
 #include "cli/engine/engine.hpp"
+#include "cli/report/exemption_page.hpp"
 #include "cli/report/row_page.hpp"
 #include "cli/report/rule_page.hpp"
 #include "cli/suggest.hpp"
@@ -69,8 +70,10 @@ std::string list_of(const std::vector<NamedRule>& named) {
 } // namespace
 
 int run_explain(const ExplainRequest& request) {
-    const auto named = rules_meant(request.rule);
     const PageStyle style{colour_for_output(request.colour), output_width()};
+    if (const auto exemption = find_exemption(request.rule))
+        return print_text(plain_exemption_page(*exemption, style));
+    const auto named = rules_meant(request.rule);
     if (named.size() == 1) {
         const auto& [rule, row] = named.front();
         return print_text(row == nullptr ? page_of(*rule, style) : page_of(*row, style));

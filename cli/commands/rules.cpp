@@ -43,6 +43,17 @@ Json rows_as_json(const Rule& rule) {
     return rows;
 }
 
+Json exemptions_as_json(const Rule& rule) {
+    Json exemptions = Json::array();
+    for (const RuleExemption& record : rule.exemptions)
+        exemptions.push_back({{"name", record.name},
+                              {"why", record.why},
+                              {"dialect", record.wanted_by.dialect},
+                              {"complete", record.wanted_by.complete},
+                              {"program", record.wanted_by.text}});
+    return exemptions;
+}
+
 std::string json_list() {
     Json list = Json::array();
     for (const Rule* rule : all_rules())
@@ -55,6 +66,7 @@ std::string json_list() {
                         {"severity", name_of(rule->severity)},
                         {"precision", name_of(rule->precision)},
                         {"on_by_default", rule->on_by_default},
+                        {"exemptions", exemptions_as_json(*rule)},
                         {"rows", rows_as_json(*rule)}});
     return list.dump(2) + "\n";
 }

@@ -275,7 +275,7 @@ class Run {
         const Rule& unused_suppression = *find_rule("MAC001");
         std::vector<bool> wanted(all_rules().size());
         std::vector<const RuleStates*> seen;
-        Selection selection{.rules = {}, .rows = rows_.wanted()};
+        Selection selection{.rules = {}, .rows = rows_.wanted(), .exemptions = options_.exemptions};
         for (const FileRules& file : files) {
             const RuleStates& states = *file.rules;
             if (states.is_on(unused_suppression))

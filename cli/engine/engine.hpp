@@ -33,6 +33,7 @@ struct Result {
 struct EngineOptions {
     unsigned jobs = 1;          ///< threads, at least 1
     std::size_t kept_bytes = 0; ///< of text, whose programs are kept for the next snapshot
+    ExemptionChoice exemptions = {};
 };
 
 /// Analyses one snapshot after the other. Only programs that calls connect with those that were asked for

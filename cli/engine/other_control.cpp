@@ -49,7 +49,7 @@ std::vector<FilteredFinding> withhold_misread(std::vector<FilteredFinding> findi
     std::erase_if(findings, [&](const FilteredFinding& filtered) {
         const auto file = withheld.find(filtered.finding.source.get());
         if (file == withheld.end() || filtered.finding.rule->code == misread) return false;
-        ++file->second;
+        if (!filtered.suppressed) ++file->second;
         return true;
     });
     for (FilteredFinding& filtered : findings)

@@ -215,12 +215,17 @@ class FileSuppressions {
             return is_on_request(finding) && !rules_.is_asked_for(finding);
         });
         // Before suppression: who allows what the owner says has not asked to hear the other one.
-        drop_yielding(findings, [this](const Finding& finding) { return rules_.of(finding).on; });
+        drop_yielding(findings, [this](const Finding& finding) {
+            return finding.withheld == 0 && rules_.of(finding).on;
+        });
         std::erase_if(findings, &Finding::is_silent);
+        std::vector<Finding> withheld = take_withheld_out(findings);
         report_faults(findings);
         take(std::move(findings));
         suppressions_.start_over();
         take(unused());
+        suppressions_.start_over();
+        add_withheld(std::move(withheld));
         return std::move(evaluated_);
     }
 
@@ -230,6 +235,27 @@ class FileSuppressions {
         for (const DirectiveComment& comment : file.comments)
             if (auto directive = read_directive(file, comment)) directives.push_back(*std::move(directive));
         return directives;
+    }
+
+    static std::vector<Finding> take_withheld_out(std::vector<Finding>& findings) {
+        std::vector<Finding> withheld;
+        std::erase_if(findings, [&](Finding& finding) {
+            if (finding.withheld == 0) return false;
+            withheld.push_back(std::move(finding));
+            return true;
+        });
+        return withheld;
+    }
+
+    /// What a comment allows is not told, and no comment is of use for what is withheld anyway.
+    void add_withheld(std::vector<Finding> findings) {
+        put_in_order(findings);
+        for (Finding& finding : findings) {
+            const RuleState& state = rules_.of(finding);
+            if (!state.on || suppressions_.find(finding) != nullptr) continue;
+            finding.severity = state.severity.value_or(finding.severity);
+            evaluated_.push_back({std::move(finding), Suppression{}});
+        }
     }
 
     void report_faults(std::vector<Finding>& findings) const {

@@ -11,8 +11,8 @@
 
 namespace maclint::cli {
 
-/// The comment that allows a finding, the baseline that knows it, or the maker whose program it is in: it
-/// does not count.
+/// The comment that allows a finding, the baseline that knows it, the maker whose program it is in, or the
+/// exemptions of its rule that hold it back (Finding::withheld): it does not count.
 struct Suppression {
     Span comment = {};
     std::string reason = {};   ///< UTF-8, may be empty

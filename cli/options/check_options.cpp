@@ -129,6 +129,24 @@ Overrides overrides_of(const CheckWords& words) {
     return overrides;
 }
 
+std::vector<std::string> exemption_words() {
+    std::vector<std::string> words;
+    for (const NamedExemption& exemption : all_exemptions()) words.push_back(exemption.name());
+    return words;
+}
+
+ExemptionChoice exemptions_of(const CheckWords& words) {
+    ExemptionChoice choice{.withheld = words.show_withheld ? Withheld::listed : Withheld::dropped};
+    for (const std::string& word : listed("--without-exemption", words.without_exemption)) {
+        const auto exemption = find_exemption(word);
+        if (!exemption)
+            refuse("--without-exemption does not know '" + shown(word) + "'." +
+                   did_you_mean(word, exemption_words(), "'maclint explain RULE' lists those of a rule."));
+        choice.without.push_back(*exemption);
+    }
+    return choice;
+}
+
 /// A control may be one of the configuration's own: those are known only later, unless there is no
 /// configuration.
 void require_control(const Overrides& overrides) {
@@ -184,6 +202,12 @@ void declare_check(CLI::App& check, CheckWords& words) {
     repeatable(check.add_option("--ignore", words.ignore, "Not these rules"))->type_name("RULES");
     repeatable(check.add_option("--severity", words.severity, "Change a severity to error, warning or note"))
         ->type_name("RULE=LEVEL");
+    repeatable(check.add_option("--without-exemption", words.without_exemption,
+                                "Guesses that are not made, such as MAC211/named-in-a-comment; "
+                                "'maclint explain RULE' lists a rule's"))
+        ->type_name("EXEMPTIONS");
+    check.add_flag("--show-withheld", words.show_withheld,
+                   "Report what a rule's exemptions hold back, too, and which; it does not count");
     add_file(check, "--config", words.config,
              "This configuration instead of the nearest " + std::string(configuration_name));
     check.add_flag("--isolated", words.isolated, "No configuration at all");
@@ -250,6 +274,7 @@ CheckRequest check_request(const CheckWords& words) {
                          .force_exclude = words.force_exclude,
                          .list_passed_over = words.show_files};
     request.error_on_empty = words.error_on_empty;
+    request.exemptions = exemptions_of(words);
     return request;
 }
 

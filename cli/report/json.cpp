@@ -68,7 +68,8 @@ Json json_of(const FilteredFinding& filtered) {
         out["other_fixes"].push_back({{"title", other.title},
                                       {"applicability", name_of(other.applicability)},
                                       {"edits", json_of(other.edits)}});
-    if (is_of_vendor(filtered)) return out;
+    if (is_withheld(filtered)) out["exemptions"] = exemptions_of(filtered);
+    if (is_withheld(filtered) || is_of_vendor(filtered)) return out;
     if (is_known(filtered))
         out["baseline"] = utf8(filtered.suppressed->baseline);
     else if (filtered.suppressed)
@@ -99,11 +100,13 @@ std::string write_json(const Report& report) {
     Json suppressed = Json::array();
     Json known = Json::array();
     Json vendor = Json::array();
+    Json withheld = Json::array();
     for (const FilteredFinding& filtered : report.findings)
-        (is_of_vendor(filtered) ? vendor
-         : is_known(filtered)   ? known
-         : filtered.suppressed  ? suppressed
-                                : findings)
+        (is_withheld(filtered)    ? withheld
+         : is_of_vendor(filtered) ? vendor
+         : is_known(filtered)     ? known
+         : filtered.suppressed    ? suppressed
+                                  : findings)
             .push_back(json_of(filtered));
     Json notices = Json::array();
     for (const Notice& notice : report.notices)
@@ -132,6 +135,10 @@ std::string write_json(const Report& report) {
                     {"ignored_by_git", report.passed_over.ignored_by_git},
                     {"links_out", report.passed_over.links_out}}},
                   {"exit_status", report.exit_status}}}};
+    if (report.withheld == Withheld::listed) {
+        out["withheld"] = std::move(withheld);
+        out["summary"]["withheld"] = counts.withheld;
+    }
     if (report.statistics) out["statistics"] = json_of(statistics_of(report));
     if (report.times) out["times"] = {{"begin", report.times->begin}, {"end", report.times->end}};
     return printable_json(out.dump(2, ' ', false, Json::error_handler_t::replace)) + "\n";

@@ -32,12 +32,14 @@ struct Report {
     std::optional<RunTimes> times;   ///< none with --no-timestamps
     std::optional<Severity> fail_on; ///< the least severity that counts as a failure; none: nothing does
     bool statistics = false;         ///< numbers by rule and by file are wanted
+    Withheld withheld = Withheld::dropped;
 };
 
-/// How many findings of each severity count, shown or not; those that comments allow, that a baseline knows
-/// and that are vendor code's apart.
+/// How many findings of each severity count, shown or not; those that comments allow, that a baseline knows,
+/// that are vendor code's and that exemptions hold back apart.
 struct Tally {
-    std::size_t errors = 0, warnings = 0, notes = 0, suppressed = 0, known = 0, vendor = 0, files = 0;
+    std::size_t errors = 0, warnings = 0, notes = 0, suppressed = 0, known = 0, vendor = 0, withheld = 0,
+                files = 0;
 };
 [[nodiscard]] Tally tally(const Report& report);
 
@@ -50,6 +52,13 @@ struct Tally {
 [[nodiscard]] inline bool is_of_vendor(const FilteredFinding& filtered) {
     return filtered.suppressed && filtered.suppressed->vendor;
 }
+
+/// Whether exemptions of its rule hold it back: it is there because --show-withheld asks for it.
+[[nodiscard]] inline bool is_withheld(const FilteredFinding& filtered) {
+    return filtered.finding.withheld != 0;
+}
+/// "MAC211/named-in-a-comment", one for each exemption that holds it back.
+[[nodiscard]] std::vector<std::string> exemptions_of(const FilteredFinding& filtered);
 
 enum class Colour : std::uint8_t { plain, coloured };
 enum class Summary : std::uint8_t { left_out, at_the_end };

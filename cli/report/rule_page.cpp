@@ -3,6 +3,7 @@
 
 #include "analyzer/dialect/dialect.hpp"
 #include "cli/config/selection.hpp"
+#include "cli/report/exemption_page.hpp"
 #include "cli/report/measured_precision.hpp"
 #include "cli/report/row_page.hpp"
 
@@ -132,6 +133,7 @@ std::string markdown_page(const Rule& rule) {
     out += markdown_examples("Bad", rule.bad) + markdown_examples("Good", rule.good);
     if (!rule.alarms.empty()) out += "\n## Alarms it prevents\n\n";
     for (const Alarm& alarm : rule.alarms) out += "- " + alarm_line(alarm) + "\n";
+    out += markdown_exemptions(rule);
     out += "\n## To allow it\n\n" + allowances(rule.code, dialects_of(rule), "`", " or ") +
            " at the end of the block, or alone on the line before it.\n";
     if (!rule.sources.empty()) out += "\n## Sources\n\n";
@@ -151,6 +153,7 @@ std::string plain_page(const Rule& rule, const PageStyle& style, const MarkedLin
     for (const Example& example : rule.good) page.add_example("Good", example, {});
     if (!rule.alarms.empty()) page.add_heading("Alarms it prevents:");
     for (const Alarm& alarm : rule.alarms) page.add_item(alarm_line(alarm));
+    add_exemptions(rule, page);
     page.add_heading("To allow it, at the end of the block or alone on the line before it:");
     page.add_to_copy(allowances(rule.code, dialects_of(rule), "", "\n    "));
     if (!rule.sources.empty()) page.add_heading("Sources:");

@@ -311,6 +311,7 @@ class SarifWriter {
     /// An empty list says that the finding was looked at and is not suppressed (3.27.23).
     [[nodiscard]] Json suppressions_of(const FilteredFinding& filtered) const {
         if (!filtered.suppressed) return Json::array();
+        if (is_withheld(filtered)) return exemptions_as_suppressions(filtered);
         if (is_of_vendor(filtered))
             return Json::array({{{"kind", "external"},
                                  {"status", "accepted"},
@@ -327,6 +328,17 @@ class SarifWriter {
         suppression["location"] = {
             {"physicalLocation", short_physical(*filtered.finding.source, filtered.suppressed->comment)}};
         return Json::array({std::move(suppression)});
+    }
+
+    /// One would do: each of them holds it back.
+    [[nodiscard]] static Json exemptions_as_suppressions(const FilteredFinding& filtered) {
+        Json list = Json::array();
+        for (const NamedExemption& exemption : withheld_by(filtered.finding))
+            list.push_back({{"kind", "external"},
+                            {"status", "accepted"},
+                            {"justification", exemption.name() + ": " + std::string(exemption.record().why)},
+                            {"properties", {{"exemption", exemption.name()}}}});
+        return list;
     }
 
     // ---- the tool

@@ -13,9 +13,10 @@ Tally tally(const Report& report) {
     for (const auto* findings : {&report.findings, &report.not_shown}) {
         for (const FilteredFinding& filtered : *findings) {
             if (filtered.suppressed) {
-                ++(is_of_vendor(filtered) ? tally.vendor
-                   : is_known(filtered)   ? tally.known
-                                          : tally.suppressed);
+                ++(is_withheld(filtered)    ? tally.withheld
+                   : is_of_vendor(filtered) ? tally.vendor
+                   : is_known(filtered)     ? tally.known
+                                            : tally.suppressed);
                 continue;
             }
             const Finding& finding = filtered.finding;
@@ -31,6 +32,12 @@ Tally tally(const Report& report) {
     return tally;
 }
 
+std::vector<std::string> exemptions_of(const FilteredFinding& filtered) {
+    std::vector<std::string> names;
+    for (const NamedExemption& exemption : withheld_by(filtered.finding)) names.push_back(exemption.name());
+    return names;
+}
+
 std::string summary_line(const Report& report) {
     const Tally counts = tally(report);
     std::vector<std::string> parts;
@@ -43,6 +50,7 @@ std::string summary_line(const Report& report) {
                          : line + " in " + counted(counts.files, "file");
     line += " (" + std::to_string(report.files.size()) + " checked";
     if (counts.suppressed > 0) line += ", " + std::to_string(counts.suppressed) + " allowed by comments";
+    if (report.withheld == Withheld::listed) line += ", " + std::to_string(counts.withheld) + " withheld";
     if (const std::string text = text_of(report.passed_over); !text.empty()) line += ", " + text;
     if (!report.not_shown.empty())
         line += ", " + std::to_string(report.not_shown.size()) + " not shown: see --max-findings";

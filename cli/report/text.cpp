@@ -38,7 +38,7 @@ class TextWriter {
         const Rows rows = rows_of(finding, wanted_.path);
         left_out_ += rows.left_out;
         margin_ = widest_number(rows.rows) + 1;
-        add_headline(finding);
+        add_headline("", finding);
         add_place("-->", *finding.source, finding.span);
         add_rows(rows.rows, finding.source.get());
         add_end(finding);
@@ -57,6 +57,19 @@ class TextWriter {
             for (const std::string& place : kind.places) out_ += "  " + place + "\n";
             out_ += "\n";
         }
+    }
+
+    /// A finding that does not count: where it is, and why nobody is told of it.
+    void add_withheld(const FilteredFinding& filtered) {
+        const Finding& finding = filtered.finding;
+        const Rows rows = rows_of(finding, PathDetail::none);
+        margin_ = widest_number(rows.rows) + 1;
+        add_headline("withheld ", finding);
+        add_place("-->", *finding.source, finding.span);
+        add_rows(rows.rows, finding.source.get());
+        for (const NamedExemption& exemption : withheld_by(finding))
+            add_labelled("by " + exemption.name() + ": ", std::string(exemption.record().why));
+        out_ += "\n";
     }
 
     [[nodiscard]] std::size_t left_out() const { return left_out_; }
@@ -98,8 +111,9 @@ class TextWriter {
         return std::to_string(widest).size();
     }
 
-    void add_headline(const Finding& finding) {
-        const std::string head = std::string(name_of(finding.severity)) + "[" + code_with_key(finding) + "]";
+    void add_headline(std::string_view before, const Finding& finding) {
+        const std::string head =
+            std::string(before) + std::string(name_of(finding.severity)) + "[" + code_with_key(finding) + "]";
         const std::size_t used = std::min(head.size() + 2, wanted_.width); // a key of a row may be long
         const auto lines =
             wrapped(printable(finding.statement()), wanted_.width - used, wanted_.width - indent);
@@ -174,6 +188,17 @@ class TextWriter {
         out_ += "\n";
     }
 
+    /// A sentence below the rows.
+    void add_labelled(const std::string& label, const std::string& sentence) {
+        const std::size_t room = wanted_.width - margin_ - frame_width;
+        const auto lines = wrapped(sentence, room - std::min(label.size(), room), room - indent);
+        out_ +=
+            std::string(margin_, ' ') + " " + style_.frame("=") + " " + style_.note(label) + lines.front();
+        for (auto line = lines.begin() + 1; line != lines.end(); ++line)
+            out_ += "\n" + std::string(margin_ + frame_width + indent, ' ') + *line;
+        out_ += "\n";
+    }
+
     /// The cure, and where to read more: beside it where there is room, on a line of its own for the first
     /// finding of the rule or row.
     void add_end(const Finding& finding) {
@@ -220,6 +245,8 @@ std::string write_text(const Report& report, const TextStyle& style) {
     for (const FilteredFinding& filtered : report.findings)
         if (!filtered.suppressed) writer.add(filtered.finding);
     writer.add_kinds();
+    for (const FilteredFinding& filtered : report.findings)
+        if (is_withheld(filtered)) writer.add_withheld(filtered);
     const std::size_t left_out = writer.left_out();
     std::string out = writer.take();
     if (report.statistics) out += statistics_text(report);

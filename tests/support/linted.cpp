@@ -6,6 +6,11 @@
 namespace maclint::test {
 
 cli::Result lint_texts(const std::vector<LintedText>& texts, cli::Overrides overrides) {
+    return lint_texts(texts, std::move(overrides), {});
+}
+
+cli::Result lint_texts(const std::vector<LintedText>& texts, cli::Overrides overrides,
+                       const ExemptionChoice& exemptions) {
     overrides.isolated = true;
     for (const auto* words : {&overrides.select, &overrides.ignore})
         for (const std::string& word : *words)
@@ -17,7 +22,7 @@ cli::Result lint_texts(const std::vector<LintedText>& texts, cli::Overrides over
                                   *settings.for_file(text.path),
                                   Source::from_bytes(text.path, text.text)});
     cli::Progress progress(cli::Progress::Shown::never);
-    return cli::Engine({.jobs = 1}, progress).analyse(snapshot);
+    return cli::Engine({.jobs = 1, .exemptions = exemptions}, progress).analyse(snapshot);
 }
 
 cli::Result lint_text(std::string_view text) { return lint_texts({{"O1.nc", std::string(text)}}, {}); }

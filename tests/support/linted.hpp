@@ -16,6 +16,9 @@ struct LintedText {
 
 /// All texts as one workspace, isolated from any configuration. Rule words are checked.
 [[nodiscard]] cli::Result lint_texts(const std::vector<LintedText>& texts, cli::Overrides overrides);
+/// The same with some exemptions off, or what they hold back listed.
+[[nodiscard]] cli::Result lint_texts(const std::vector<LintedText>& texts, cli::Overrides overrides,
+                                     const ExemptionChoice& exemptions);
 
 /// The same for one text under the default selection.
 [[nodiscard]] cli::Result lint_text(std::string_view text);
