@@ -82,6 +82,7 @@
     RULE(motion_mode_not_restored)              /* MAC504 */ \
     RULE(restore_from_wrong_variable)           /* MAC505 */ \
     RULE(saved_value_lost)                      /* MAC506 */ \
+    RULE(saved_state_never_restored)            /* MAC507 */ \
     RULE(compensation_started_on_arc)           /* MAC511 */ \
     RULE(modal_group_conflict)                  /* MAC514 */ \
     RULE(single_block_suppression_not_restored) /* MAC515 */ \

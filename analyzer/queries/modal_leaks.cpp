@@ -8,6 +8,7 @@
 #include "analyzer/program/tables.hpp"
 #include "analyzer/queries/callers.hpp"
 #include "analyzer/queries/handed_modes.hpp"
+#include "analyzer/queries/modal_parts.hpp"
 #include "analyzer/queries/modes_at.hpp"
 #include "analyzer/queries/origins.hpp"
 #include "analyzer/queries/own_settings.hpp"
@@ -71,10 +72,12 @@ std::vector<flow::NodeId> changes_of(const ProgramAnalysis& analysis, GroupId gr
 /// Looks at the exits for what of one group is left.
 class LeftState {
   public:
-    LeftState(const ProgramAnalysis& analysis, GroupId group, const IsFault& is_fault)
+    LeftState(const ProgramAnalysis& analysis, GroupId group, const IsFault& is_fault,
+              std::optional<KeptState> kept)
         : analysis_(analysis)
         , group_(group)
         , is_fault_(is_fault)
+        , kept_(kept)
         , is_value_(analysis.control().groups[group].restore_policy == RestorePolicy::value)
         , answers_for_calls_(is_value_ && keeps_callers_state(analysis)) {}
 
@@ -86,7 +89,8 @@ class LeftState {
         if (last_->exit->exit.kind == flow::ExitKind::returns)
             last_->leak_use =
                 leak_use_of(analysis_, group_, *last_->exit, node_of_origin(analysis_, last_->part.origin));
-        return last_->leak_use.matters && !is_for_callers() ? last_ : std::nullopt;
+        last_->kept = kept_;
+        return kept_ || (last_->leak_use.matters && !is_for_callers()) ? last_ : std::nullopt;
     }
 
   private:
@@ -111,12 +115,20 @@ class LeftState {
             if (part.origin == 0 || (is_made_by_call(analysis_, part.origin) && !answers_for_calls_) ||
                 may_mean_something_else(analysis_, group_, part.origin))
                 continue;
-            const bool fault = is_fault_(analysis_.control().groups[group_], group_, exit, part);
+            const bool fault = is_fault_(analysis_.control().groups[group_], group_, exit, part) ||
+                               is_not_put_back(exit, part);
             elsewhere_right_ |= !fault;
             const bool is_all = value.parts.size() == 1 && !value.unknown;
             if (fault && comes_later(part) && (is_all || lasts(part, exit, value.unknown)))
-                last_ = ModalLeak{group_, part, &exit, true, {.matters = true}};
+                last_ = ModalLeak{group_, part, &exit, true, {.matters = true}, {}};
         }
+    }
+
+    /// What the program keeps of its callers' and puts back at no return, or not at this one.
+    [[nodiscard]] bool is_not_put_back(const dataflow::ExitState& exit,
+                                       const dataflow::ModalPart& part) const {
+        return kept_ && exit.exit.kind == flow::ExitKind::returns &&
+               !may_be_callers(analysis_, group_, part) && source_of(analysis_, part) != NumberSource::other;
     }
 
     /// Words of the program itself come before calls, then the last in the text.
@@ -154,6 +166,7 @@ class LeftState {
     const ProgramAnalysis& analysis_;
     GroupId group_;
     const IsFault& is_fault_;
+    std::optional<KeptState> kept_;
     bool is_value_, answers_for_calls_;
     std::optional<std::vector<flow::NodeId>> sure_changes_, possible_changes_;
     std::optional<ModalLeak> last_;
@@ -176,9 +189,12 @@ std::vector<ModalLeak> find_modal_leaks(const ProgramAnalysis& analysis, Restore
                                         const IsFault& is_fault) {
     std::vector<ModalLeak> leaks;
     const auto& groups = analysis.control().groups;
+    const auto all_kept = can_be_kept(restore_policy) ? find_kept_states(analysis) : std::vector<KeptState>{};
     for (std::size_t group = 0; group < groups.size(); ++group) {
         if (groups[group].restore_policy != restore_policy) continue;
-        if (const auto leak = LeftState(analysis, static_cast<GroupId>(group), is_fault).run())
+        const auto known = std::ranges::find(all_kept, static_cast<GroupId>(group), &KeptState::group);
+        const auto kept = known == all_kept.end() ? std::nullopt : std::optional(*known);
+        if (const auto leak = LeftState(analysis, static_cast<GroupId>(group), is_fault, kept).run())
             leaks.push_back(*leak);
     }
     if (!leaks.empty() && may_return_within(analysis.program())) leaks.clear();

@@ -3,10 +3,12 @@
 
 #include "analyzer/dataflow/facts/exit_state.hpp"
 #include "analyzer/program/modal_groups.hpp"
+#include "analyzer/queries/kept_state.hpp"
 #include "analyzer/queries/leak_use.hpp"
 #include "analyzer/workspace/program_analysis.hpp"
 
 #include <functional>
+#include <optional>
 #include <vector>
 
 namespace maclint::queries {
@@ -19,6 +21,7 @@ struct ModalLeak {
     const dataflow::ExitState* exit; ///< where it is still in force
     bool on_every_path;              ///< false: on other paths the program puts the group right
     LeakUse leak_use;                ///< what callers do with it
+    std::optional<KeptState> kept;   ///< the program keeps what its callers had, which is not put back there
 };
 
 /// Whether what a group can be at an exit is something that the rule reports.
@@ -28,7 +31,8 @@ using IsFault =
 /// One leak for each group with this policy. Left out are states that something unknown may have changed on
 /// every path to the exit; what a called program left, for which it answers itself, unless it is a feed or
 /// speed and this program keeps its callers' state; what every known caller sets again before it moves; and
-/// all of a program that may run blocks of its own as a subprogram.
+/// all of a program that may run blocks of its own as a subprogram. Of a group whose state the program keeps
+/// everything else that it leaves at a return is a fault, whatever its callers do.
 [[nodiscard]] std::vector<ModalLeak> find_modal_leaks(const ProgramAnalysis& analysis,
                                                       RestorePolicy restore_policy, const IsFault& is_fault);
 

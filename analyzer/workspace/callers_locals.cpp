@@ -36,7 +36,7 @@ CallersLocals::CallersLocals(const std::deque<ProgramAnalysis>& programs, const 
     const std::size_t count = components.members.size();
     below_.resize(count);
     before_.resize(count);
-    for (const ProgramAnalysis& analysis : programs) stored_.push_back(stored_in(analysis.program()));
+    for (const ProgramAnalysis& analysis : programs) stored_.push_back(stored_in(analysis));
     for (std::uint32_t component = 0; component < count; ++component) {
         const auto members = components.members[component];
         if (members.size() == 1)
@@ -74,9 +74,10 @@ bool CallersLocals::shares(const Caller& caller) const {
 }
 
 /// The variables that the program's own blocks may set.
-CallersLocals::Locals CallersLocals::stored_in(const Program& program) {
+CallersLocals::Locals CallersLocals::stored_in(const ProgramAnalysis& analysis) {
     Locals locals;
-    dataflow::IndexReaches reaches(program);
+    const Program& program = analysis.program();
+    dataflow::IndexReaches reaches(program, analysis.graph());
     const auto is_local = [&](Variable variable) {
         return program.control->spaces[variable.space].scope == Scope::frame;
     };
@@ -87,7 +88,8 @@ CallersLocals::Locals CallersLocals::stored_in(const Program& program) {
                 variable && is_local(*variable))
                 locals.add(*variable);
             if (const auto* at = std::get_if<StoreAt>(&assign->target))
-                locals.any |= reaches.of(at->family, at->index, {}).locals;
+                locals.any |=
+                    reaches.of(at->family, at->index, {}, analysis.graph().node_of(id).value_or(0)).locals;
         } else if (const auto* unreadable = std::get_if<UnreadableBlock>(&what)) {
             for (const Variable variable : program.variables_of(*unreadable)) locals.add(variable);
             locals.any |= unreadable->may_call_or_return;

@@ -34,7 +34,7 @@ class CallersLocals {
         void add(const Locals& more);
     };
 
-    [[nodiscard]] static Locals stored_in(const Program& program);
+    [[nodiscard]] static Locals stored_in(const ProgramAnalysis& analysis);
     [[nodiscard]] bool shares(const Caller& caller) const;
     [[nodiscard]] Locals stored_below(const ProgramAnalysis& analysis) const;
     void add_before(Locals& before, ProgramIndex caller, ProgramIndex called) const;

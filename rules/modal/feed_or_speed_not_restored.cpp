@@ -44,7 +44,7 @@ extern const Rule feed_or_speed_not_restored{
     .data_flow = true,
     .messages = {{"caller", "{0} is left to the caller, whose own is lost: {2} moves with it.", "{1}."},
                  {"not-saved", "{0} is left to the caller: the program saves {2}, but not this.", "{1}."},
-                 {"not-put-back", "{0} is left to the caller.", "{1}."},
+                 {"not-put-back", "{0} is left to the caller on some of the paths.", "{1}."},
                  {"left", "Left to the caller: {0}.", "Write it again after the call.", true}},
     .bad = {{"fanuc", R"nc(
 O9503(PLUNGE, Z DEPTH F FEED)
@@ -90,15 +90,14 @@ bool is_fault(const ProgramAnalysis& analysis, const ModalGroup& group, const da
 /// Whether the leak is a warning of its own: a caller loses what it had set, or the macro keeps other state.
 bool report_alone(const ProgramAnalysis& analysis, const queries::ModalLeak& leak, Reporter& reporter) {
     const auto saves = queries::saves_of(analysis);
-    const bool saves_this = std::ranges::find(saves, queries::find_save(analysis, leak.group)) != saves.end();
     std::string_view message;
     std::vector<std::string> words{subject_of(analysis, leak), cure_by_saving(analysis, leak)};
-    if (leak.leak_use.own_is_lost) {
+    if (leak.kept) {
+        message = "not-put-back";
+    } else if (leak.leak_use.own_is_lost) {
         const ProgramAnalysis& caller = *leak.leak_use.program;
         message = "caller";
         words.push_back(place_in(caller, leak.leak_use.block));
-    } else if (saves_this) {
-        message = "not-put-back";
     } else if (!saves.empty()) {
         message = "not-saved";
         words.push_back(listed(variables_saved(analysis, saves), " and "));
@@ -124,11 +123,12 @@ void report_rest(const ProgramAnalysis& analysis, std::vector<queries::ModalLeak
 }
 
 void check(const ProgramAnalysis& analysis, Reporter& reporter) {
-    if (!analysis.is_macro()) return;
+    if (analysis.is_main()) return;
     const auto is_mine = [&](const ModalGroup& group, GroupId, const auto& exit, const auto& part) {
-        return is_fault(analysis, group, exit, part);
+        return analysis.is_macro() && is_fault(analysis, group, exit, part);
     };
     auto leaks = queries::find_modal_leaks(analysis, RestorePolicy::value, is_mine);
+    std::erase_if(leaks, [](const auto& leak) { return leak.kept && !leak.kept->is_put_back; }); // MAC507
     std::erase_if(leaks, [&](const auto& leak) { return report_alone(analysis, leak, reporter); });
     report_rest(analysis, std::move(leaks), reporter);
 }

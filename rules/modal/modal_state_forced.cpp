@@ -3,6 +3,7 @@
 #include "analyzer/dataflow/facts/clobber.hpp"
 #include "analyzer/dataflow/facts/exit_state.hpp"
 #include "analyzer/dataflow/facts/modal_write.hpp"
+#include "analyzer/dataflow/facts/read.hpp"
 #include "analyzer/dataflow/facts/store.hpp"
 #include "analyzer/program/tables.hpp"
 #include "analyzer/queries/copies.hpp"
@@ -30,8 +31,8 @@ extern const Rule modal_state_forced{
     .precision = Precision::medium,
     .on_by_default = false,
     .off_reason = "ending in G90 is a custom that most shops rely on",
-    .facts = dataflow::facts<dataflow::ExitState, dataflow::ModalWrite, dataflow::CallMade, dataflow::Store,
-                             dataflow::Clobber>(),
+    .facts = dataflow::facts<dataflow::ExitState, dataflow::ModalWrite, dataflow::CallMade, dataflow::Read,
+                             dataflow::Store, dataflow::Clobber>(),
     .data_flow = true,
     .messages =
         {{"forced",

@@ -3,6 +3,7 @@
 #include "analyzer/dataflow/facts/clobber.hpp"
 #include "analyzer/dataflow/facts/exit_state.hpp"
 #include "analyzer/dataflow/facts/modal_write.hpp"
+#include "analyzer/dataflow/facts/read.hpp"
 #include "analyzer/dataflow/facts/store.hpp"
 #include "analyzer/program/tables.hpp"
 #include "analyzer/queries/modal_leaks.hpp"
@@ -24,14 +25,14 @@ extern const Rule modal_state_not_restored{
     .code = "MAC501",
     .name = "modal-state-not-restored",
     .summary = "A called program leaves a modal group at a code that is not the customary one, on "
-               "every exit or on some",
+               "every exit or on some, or does not put back on every exit what it puts back on others",
     .why = "The caller goes on in another mode than the one it was written in: with G91 its next "
            "absolute position is an incremental move, with G18 its next arc lies in another "
            "plane.",
     .severity = Severity::warning,
     .precision = Precision::very_high,
-    .facts = dataflow::facts<dataflow::ExitState, dataflow::ModalWrite, dataflow::CallMade, dataflow::Store,
-                             dataflow::Clobber>(),
+    .facts = dataflow::facts<dataflow::ExitState, dataflow::ModalWrite, dataflow::CallMade, dataflow::Read,
+                             dataflow::Store, dataflow::Clobber>(),
     .data_flow = true,
     .messages = {{"every-path", "{0} {1} is left to the caller.", "{2}."},
                  {"some-paths", "{0} {1} is left to the caller on some of the paths.", "{2}."}},
@@ -39,6 +40,15 @@ extern const Rule modal_state_not_restored{
 O9501(ONE STEP UP)
 G91 G0 Z10.
 M99
+)nc"},
+            {"fanuc", R"nc(
+O9501(TO THE CORNER, Z)
+#33=#4003
+G90 G0 X0 Y0
+IF[#26EQ#0]GOTO9
+G0 Z#26
+G#33
+N9 M99
 )nc"}},
     .good = {{"fanuc", R"nc(
 O9501(ONE STEP UP)
@@ -54,23 +64,25 @@ M99
 namespace {
 
 /// A literal code of this program that is no custom.
-bool is_fault(const ProgramAnalysis& analysis, const ModalGroup& group, const dataflow::ExitState& exit,
-              const dataflow::ModalPart& part) {
-    if (exit.exit.kind != flow::ExitKind::returns) return false;
+bool is_unusual(const ProgramAnalysis& analysis, GroupId group, const dataflow::ModalPart& part) {
     const auto code = queries::own_code(analysis, part);
-    return code && std::ranges::find(group.customary, *code) == group.customary.end();
+    const auto& customary = analysis.control().groups[group].customary;
+    return code && std::ranges::find(customary, *code) == customary.end();
 }
 
 void check(const ProgramAnalysis& analysis, Reporter& reporter) {
     if (analysis.is_main()) return;
-    const auto leaks =
-        queries::find_modal_leaks(analysis, RestorePolicy::state,
-                                  [&](const ModalGroup& group, GroupId, const auto& exit, const auto& part) {
-                                      return is_fault(analysis, group, exit, part);
-                                  });
+    const auto leaks = queries::find_modal_leaks(
+        analysis, RestorePolicy::state,
+        [&](const ModalGroup&, GroupId group, const auto& exit, const auto& part) {
+            return exit.exit.kind == flow::ExitKind::returns && is_unusual(analysis, group, part);
+        });
     for (const queries::ModalLeak& leak : leaks) {
+        const bool is_for_another_rule = leak.kept && !leak.kept->is_put_back; // MAC507
+        if (is_for_another_rule && !is_unusual(analysis, leak.group, leak.part)) continue;
+        const auto own = queries::own_code(analysis, leak.part);
         const std::string code =
-            analysis.control().spell(leak.group, *queries::own_code(analysis, leak.part));
+            own ? analysis.control().spell(leak.group, *own) : word_of(analysis, leak.group, leak.part);
         report_leak(analysis, reporter, leak, block_cause(analysis, leak.part),
                     leak.on_every_path ? "every-path" : "some-paths",
                     {capital_name(analysis, leak.group), code, cure_by_saving(analysis, leak)});

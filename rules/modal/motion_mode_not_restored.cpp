@@ -3,6 +3,7 @@
 #include "analyzer/dataflow/facts/clobber.hpp"
 #include "analyzer/dataflow/facts/exit_state.hpp"
 #include "analyzer/dataflow/facts/modal_write.hpp"
+#include "analyzer/dataflow/facts/read.hpp"
 #include "analyzer/dataflow/facts/store.hpp"
 #include "analyzer/program/tables.hpp"
 #include "analyzer/queries/modal_leaks.hpp"
@@ -25,13 +26,13 @@ extern const Rule motion_mode_not_restored{
     .code = "MAC504",
     .name = "motion-mode-not-restored",
     .summary = "A called program leaves rapid traverse to a caller whose next block, without a motion code, "
-               "states a feed or goes on from its own G01",
+               "states a feed or goes on from its own G01, or puts the motion mode back on some exits only",
     .why = "The caller's block moves at rapid traverse instead of its feed: into the material, or a probe "
            "onto the workpiece without a skip.",
     .severity = Severity::warning,
     .precision = Precision::high,
-    .facts = dataflow::facts<dataflow::ExitState, dataflow::ModalWrite, dataflow::CallMade, dataflow::Store,
-                             dataflow::Clobber>(),
+    .facts = dataflow::facts<dataflow::ExitState, dataflow::ModalWrite, dataflow::CallMade, dataflow::Read,
+                             dataflow::Store, dataflow::Clobber>(),
     .data_flow = true,
     .messages = {{"feed",
                   "{0} is left to the caller, whose block in {1} states a feed and no motion code: it moves "
@@ -40,7 +41,8 @@ extern const Rule motion_mode_not_restored{
                  {"own",
                   "{0} is left to the caller, whose block in {1} goes on without a motion code: it moves at "
                   "rapid traverse.",
-                  "Write the motion code there."}},
+                  "Write the motion code there."},
+                 {"not-put-back", "{0} is left to the caller on some of the paths.", "{1}."}},
     .bad = {{"fanuc", R"nc(
 O0001(SLOT)
 G90 G1 X50. F800.
@@ -83,6 +85,12 @@ void check(const ProgramAnalysis& analysis, Reporter& reporter) {
             return exit.exit.kind == flow::ExitKind::returns && is_rapid(analysis, group, part);
         });
     for (const queries::ModalLeak& leak : leaks) {
+        if (leak.kept) {
+            if (leak.kept->is_put_back) // else MAC507
+                report_leak(analysis, reporter, leak, block_cause(analysis, leak.part), "not-put-back",
+                            {subject_of(analysis, leak), cure_by_saving(analysis, leak)});
+            continue;
+        }
         const queries::LeakUse& use = leak.leak_use;
         if (!use.gives_feed && !use.own_is_lost) continue;
         const std::string line = "line " + line_number(use.program->file(), use.block.begin);

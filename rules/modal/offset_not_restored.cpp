@@ -3,6 +3,7 @@
 #include "analyzer/dataflow/facts/clobber.hpp"
 #include "analyzer/dataflow/facts/exit_state.hpp"
 #include "analyzer/dataflow/facts/modal_write.hpp"
+#include "analyzer/dataflow/facts/read.hpp"
 #include "analyzer/dataflow/facts/store.hpp"
 #include "analyzer/program/block_view.hpp"
 #include "analyzer/program/tables.hpp"
@@ -31,14 +32,15 @@ extern const Rule offset_not_restored{
         "whole length.",
     .severity = Severity::warning,
     .precision = Precision::high,
-    .facts = dataflow::facts<dataflow::ExitState, dataflow::ModalWrite, dataflow::CallMade, dataflow::Store,
-                             dataflow::Clobber>(),
+    .facts = dataflow::facts<dataflow::ExitState, dataflow::ModalWrite, dataflow::CallMade, dataflow::Read,
+                             dataflow::Store, dataflow::Clobber>(),
     .data_flow = true,
     .messages =
         {{"left",
           "{0} '{1}' is left to the caller, which has set its own before the call and moves on without "
           "it in {2}.",
-          "Save the caller's code and put it back before the return, or set it again after the call."}},
+          "Save the caller's code and put it back before the return, or set it again after the call."},
+         {"not-put-back", "{0} is left to the caller on some of the paths.", "{1}."}},
     .bad = {{"fanuc", R"nc(
 O0001(PLATE IN THE SECOND VICE)
 G90 G55 G0 X0 Y0
@@ -110,6 +112,12 @@ void check(const ProgramAnalysis& analysis, Reporter& reporter) {
                                              (!group.cancel || group.cancel == *code);
                                   });
     for (const queries::ModalLeak& leak : leaks) {
+        if (leak.kept) {
+            if (leak.kept->is_put_back) // else MAC507
+                report_leak(analysis, reporter, leak, block_cause(analysis, leak.part), "not-put-back",
+                            {subject_of(analysis, leak), cure_by_saving(analysis, leak)});
+            continue;
+        }
         const queries::LeakUse& use = leak.leak_use;
         const bool cancels = analysis.control().groups[leak.group].cancel.has_value();
         if (!use.own_is_lost || use.program == nullptr ||

@@ -1,10 +1,14 @@
 //! MAC505: a word puts back a value that was saved from another kind of word.
+#include "analyzer/dataflow/facts/call_made.hpp"
+#include "analyzer/dataflow/facts/clobber.hpp"
+#include "analyzer/dataflow/facts/exit_state.hpp"
 #include "analyzer/dataflow/facts/modal_write.hpp"
 #include "analyzer/dataflow/facts/store.hpp"
 #include "analyzer/program/tables.hpp"
 #include "analyzer/queries/conditions.hpp"
 #include "analyzer/queries/copies.hpp"
 #include "analyzer/workspace/program_analysis.hpp"
+#include "rules/modal/misplaced_save.hpp"
 #include "rules/path.hpp"
 #include "rules/rule.hpp"
 #include "rules/trace.hpp"
@@ -21,22 +25,49 @@ extern const Rule restore_from_wrong_variable{
     .code = "MAC505",
     .name = "restore-from-wrong-variable",
     .summary = "A word is given a copy of a system variable of another meaning: F from #4019, G "
-               "from #4109",
+               "from #4109, or a G word puts back a group that is not the one that was changed",
     .why = "The caller's feed, speed or mode is replaced by an unrelated number: F19. instead of "
            "F800., or a G code that the control does not know.",
     .severity = Severity::error,
     .precision = Precision::very_high,
-    .facts = dataflow::facts<dataflow::ModalWrite, dataflow::Store>(),
+    .facts = dataflow::facts<dataflow::ModalWrite, dataflow::Store, dataflow::ExitState, dataflow::CallMade,
+                             dataflow::Clobber>(),
     .data_flow = true,
-    .messages = {{"value", "Wrong value put back: '{0}' takes '{1}', which is not the {2}.",
-                  "Write {3} on line {4}."},
-                 {"code", "Wrong value put back: '{0}' takes '{1}', which is no G code.",
-                  "In line {2}, save the variable of the group that is meant."}},
+    .messages =
+        {{"value", "Wrong value put back: '{0}' takes '{1}', which is not the {2}.",
+          "Write {3} on line {4}."},
+         {"code", "Wrong value put back: '{0}' takes '{1}', which is no G code.",
+          "In line {2}, save the variable of the group that is meant."},
+         {"twice", "Saved twice: '{0}' and '{1}' both save the {2}, and both are put back.",
+          "Save the variable of another group in one of them."},
+         {"beside",
+          "Wrong value put back: '{0}' puts back the {2} beside '{1}' of its block, a code of the same "
+          "group.",
+          "In line {3}, save the variable of the group that is meant."},
+         {"unchanged",
+          "Wrong value put back: '{0}' puts back the {2}, which nothing here changes; '{1}' changes "
+          "another group, which is not put back.",
+          "In line {3}, save the variable of the group that is meant."}},
     .bad = {{"fanuc", R"nc(
 O9505(PLUNGE, Z DEPTH F FEED)
 #33=#4019
 G1 Z#26 F#9
 F#33
+M99
+)nc"},
+            {"fanuc", R"nc(
+O9505(DOWN, Z F)
+#33=#4003
+G1 Z#26 F200
+G#33
+M99
+)nc"},
+            {"fanuc", R"nc(
+O9505(UP, Z)
+#32=#4003
+#33=#4003
+G91 G0 Z#26
+G#32 G#33
 M99
 )nc"}},
     .good = {{"fanuc", R"nc(
@@ -77,6 +108,7 @@ std::string right_save(const ProgramAnalysis& analysis, GroupId group, const dat
 }
 
 void check(const ProgramAnalysis& analysis, Reporter& reporter) {
+    report_misplaced_saves(analysis, reporter);
     const Program& program = analysis.program();
     for (const dataflow::ModalWrite& write : analysis.facts().all<dataflow::ModalWrite>()) {
         const auto variable = queries::plain_variable(program, write.expression);

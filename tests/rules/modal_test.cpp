@@ -411,7 +411,7 @@ TEST(FeedLeak, NamesTheCure) {
         messages_raised("MAC503", "O9001\n#1=#4001\nG1 Z#26 F#9\nG#1\nM99\n"),
         ElementsAre(HasSubstr("saves #4001, but not this. Add #33=#4109 at the start, and F#33 before "
                               "the M99 of line 5.")));
-    EXPECT_THAT(messages_raised("MAC503", "O9001\n#2=#4109\nG1 Z#26 F#9\nM99\n"),
+    EXPECT_THAT(messages_raised("MAC507", "O9001\n#2=#4109\nG1 Z#26 F#9\nM99\n"),
                 ElementsAre(HasSubstr("#2 holds the caller's since line 2: write F#2 before the M99")));
     EXPECT_THAT(
         messages_raised("MAC501", "O9001\n#33=1\nG91 G0 Z#33\nM99\n"),

@@ -1,7 +1,7 @@
 //! Takes the sum apart that an index is.
 #include "analyzer/dataflow/solver/index_reach.hpp"
 
-#include "analyzer/program/block_view.hpp"
+#include "analyzer/flow/walk.hpp"
 #include "analyzer/program/tables.hpp"
 
 #include <algorithm>
@@ -63,7 +63,8 @@ std::pair<SpaceId, std::int32_t> key(Variable variable) { return {variable.space
 
 } // namespace
 
-IndexReach IndexReaches::of(FamilyId family, ExpressionId index, const semantics::Range& known) {
+IndexReach IndexReaches::of(FamilyId family, ExpressionId index, const semantics::Range& known,
+                            flow::NodeId node) {
     IndexReach reach{known};
     if (std::isfinite(known.low) && std::isfinite(known.high)) return reach;
     const IndexCustom& custom = program_.control->families[family].custom;
@@ -76,18 +77,14 @@ IndexReach IndexReaches::of(FamilyId family, ExpressionId index, const semantics
     if (custom.shared_points_to_shared && sum.shared && sum.terms > 1) reach.locals = false;
     if (reach.locals && std::isfinite(custom.least_base))
         reach.locals = std::ranges::none_of(sum.variables, [&](Variable variable) {
-            return sum.number + base_of(variable, program_.expressions[index].span.begin) >=
-                   custom.least_base;
+            return sum.number + base_of(variable, node) >= custom.least_base;
         });
     return reach;
 }
 
-double IndexReaches::base_of(Variable variable, Offset at) {
+double IndexReaches::base_of(Variable variable, flow::NodeId node) {
     if (!bases_) collect_bases();
-    if (program_.is_formal(variable)) {
-        const auto overwritten = overwritten_.find(variable);
-        if (overwritten == overwritten_.end() || overwritten->second >= at) return 0; // what a call passes
-    }
+    if (program_.is_formal(variable) && may_be_passed(variable, node)) return 0;
     const auto found = std::ranges::lower_bound(*bases_, key(variable), {},
                                                 [](const Base& base) { return key(base.variable); });
     return found == bases_->end() || !(found->variable == variable) ? 0 : found->number;
@@ -110,24 +107,29 @@ void IndexReaches::collect_bases() {
     const auto twice = std::ranges::unique(all, {}, &Base::variable);
     all.erase(twice.begin(), twice.end());
     bases_ = std::move(all);
-    collect_overwritten();
 }
 
-/// Looks as far as all paths go the same way.
-void IndexReaches::collect_overwritten() {
-    bool straight = true;
-    for_each_block_with_effects(program_, [&](const BlockView& block) {
-        for_each_effect_in(program_, block.effects, [&](EffectId id) {
-            const Effect& effect = program_.effects[id];
-            straight &= !std::holds_alternative<Jump>(effect.what) &&
-                        !std::holds_alternative<RegionMark>(effect.what) &&
-                        !std::holds_alternative<UnreadableBlock>(effect.what);
-            const auto* assign = std::get_if<Assign>(&effect.what);
-            const auto* target = assign == nullptr ? nullptr : std::get_if<Variable>(&assign->target);
-            const bool always = block.skip_levels == 0 && id - block.effects.first < block.effects.count;
-            if (target != nullptr && straight && always) overwritten_.emplace(*target, effect.span.begin);
-        });
-    });
+bool IndexReaches::may_be_passed(Variable variable, flow::NodeId node) {
+    const auto [known, fresh] = passed_.try_emplace(variable);
+    std::vector<bool>& passed = known->second;
+    if (fresh) {
+        const auto sets = [&](flow::NodeId at) {
+            return std::ranges::any_of(
+                program_.effects_in(graph_.nodes[at].effects), [&](const Effect& effect) {
+                    const auto* assign = std::get_if<Assign>(&effect.what);
+                    const auto* target = assign == nullptr ? nullptr : std::get_if<Variable>(&assign->target);
+                    return target != nullptr && *target == variable;
+                });
+        };
+        passed.assign(graph_.nodes.size(), false);
+        passed[0] = true;
+        if (!sets(0))
+            flow::walk<flow::Direction::forward>(graph_, {0}, [&](flow::EdgeId, flow::NodeId to) {
+                passed[to] = true;
+                return sets(to) ? flow::Step::end : flow::Step::go_on;
+            });
+    }
+    return passed[node];
 }
 
 } // namespace maclint::dataflow

@@ -19,12 +19,14 @@ struct IndexReach {
 /// What the indices of one program reach.
 class IndexReaches {
   public:
-    explicit IndexReaches(const Program& program)
-        : program_(program) {}
+    IndexReaches(const Program& program, const flow::Graph& graph)
+        : program_(program)
+        , graph_(graph) {}
 
-    /// `known` is the range of the index. Where that has no end on one side, the custom of the family's
-    /// programmers (IndexCustom) counts as well.
-    [[nodiscard]] IndexReach of(FamilyId family, ExpressionId index, const semantics::Range& known);
+    /// `known` is the range of the index, which stands in the node. Where that has no end on one side, the
+    /// custom of the family's programmers (IndexCustom) counts as well.
+    [[nodiscard]] IndexReach of(FamilyId family, ExpressionId index, const semantics::Range& known,
+                                flow::NodeId node);
 
   private:
     /// A variable that assignments set, and the least number in the sums that they store; steps left
@@ -35,14 +37,16 @@ class IndexReaches {
     };
 
     void collect_bases();
-    void collect_overwritten();
     /// The least number that the variable has in an index there; 0: nothing is known.
-    [[nodiscard]] double base_of(Variable variable, Offset at);
+    [[nodiscard]] double base_of(Variable variable, flow::NodeId node);
+    /// Whether a path leads there on which the variable still has what a call has passed.
+    [[nodiscard]] bool may_be_passed(Variable variable, flow::NodeId node);
 
     const Program& program_;
+    const flow::Graph& graph_;
     std::optional<std::vector<Base>> bases_; ///< sorted; nothing: nobody has asked
-    /// Where every run of the program first sets a variable: from there on no argument is in it.
-    std::unordered_map<Variable, Offset, VariableHash> overwritten_;
+    /// For variables that were asked for: the nodes that begin with what a call has passed.
+    std::unordered_map<Variable, std::vector<bool>, VariableHash> passed_;
 };
 
 } // namespace maclint::dataflow

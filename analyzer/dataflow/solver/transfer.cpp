@@ -23,7 +23,7 @@ Transfer::Transfer(const Program& program, const flow::Graph& graph, States& sta
     , graph_(graph)
     , states_(states)
     , callees_(callees)
-    , index_reaches_(program)
+    , index_reaches_(program, graph)
     , modal_call_group_(program.control->group_with(ModalRole::macro_call))
     , ended_groups_(program.control->ended_groups)
     , constants_(program.expressions.size(), 0)
@@ -184,7 +184,7 @@ void Transfer::store_at(State& state, const StoreAt& target, const Value& value,
 
 /// The variables of a family that the index can mean may have changed.
 void Transfer::clobber_indexed(State& state, FamilyId of, ExpressionId index, const Value& known) {
-    IndexReach reach = index_reaches_.of(of, index, known);
+    IndexReach reach = index_reaches_.of(of, index, known, node_);
     reach.numbers.low = std::round(reach.numbers.low); // a fraction is rounded [SINHA-INT]
     reach.numbers.high = std::round(reach.numbers.high);
     const VariableFamily& family = program_.control->families[of];
