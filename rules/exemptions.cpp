@@ -2,7 +2,6 @@
 #include "rules/exemptions.hpp"
 
 #include <algorithm>
-#include <iterator>
 #include <set>
 #include <utility>
 
@@ -11,7 +10,7 @@ namespace {
 
 constexpr ExemptionBits bit(std::size_t index) { return ExemptionBits{1} << index; }
 
-/// A rule speaks of one thing once, in whatever words.
+/// A rule speaks of one place once, in whatever words.
 using Place = std::pair<const Source*, std::pair<Offset, Offset>>;
 Place place_of(const Finding& finding) {
     return {finding.source.get(), {finding.span.begin, finding.span.end}};
@@ -19,7 +18,8 @@ Place place_of(const Finding& finding) {
 
 std::set<Place> places_of(const std::vector<Finding>& findings) {
     std::set<Place> places;
-    std::ranges::transform(findings, std::inserter(places, places.end()), place_of);
+    for (const Finding& finding : findings)
+        if (!finding.is_silent) places.insert(place_of(finding));
     return places;
 }
 
@@ -72,7 +72,9 @@ std::vector<Finding> withheld_findings(const Rule& rule, ExemptionBits off, cons
     for (std::size_t i = 0; i < rule.exemptions.size(); ++i) all |= bit(i);
     const std::set<Place> told = places_of(find(off));
     std::vector<Finding> withheld = find(all);
-    std::erase_if(withheld, [&](const Finding& finding) { return told.contains(place_of(finding)); });
+    std::erase_if(withheld, [&](const Finding& finding) {
+        return finding.is_silent || told.contains(place_of(finding));
+    });
     for (std::size_t i = 0; i < rule.exemptions.size() && !withheld.empty(); ++i) {
         if ((off & bit(i)) != 0) continue;
         const std::set<Place> with_it = places_of(find(all & ~bit(i)));

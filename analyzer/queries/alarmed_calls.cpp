@@ -221,7 +221,8 @@ class Finder {
     [[nodiscard]] bool is_made_to_stop(const CallBegun& begun, const ProgramAnalysis& called) const {
         const Call& call = call_of(analysis_.program(), begun.effect);
         if (analysis_.control().calls[call.kind].trigger != CallTrigger::once) return false;
-        return called.summary().alarm_end.is_for_stopping() && !analysis_.graph().expects_return(begun.node);
+        return exemptions::called_to_stop.is_on() && called.summary().alarm_end.is_for_stopping() &&
+               !analysis_.graph().expects_return(begun.node);
     }
 
     /// Whether the call writes the letter of a variable that is vacant all the same: I behind K is a second

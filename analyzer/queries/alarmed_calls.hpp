@@ -1,11 +1,17 @@
 //! Calls whose program comes to its own alarm on every path.
 #pragma once
 
+#include "analyzer/source/exemption.hpp"
 #include "analyzer/workspace/program_analysis.hpp"
 
 #include <vector>
 
 namespace maclint::queries {
+
+/// By which a call may come to an alarm.
+namespace exemptions {
+inline constexpr Exemption called_to_stop;
+} // namespace exemptions
 
 /// An alarm that a program comes to, or one that it calls.
 struct AlarmReached {

@@ -43,7 +43,8 @@ bool is_harmless_guard(const ProgramAnalysis& analysis, const dataflow::Comparis
 bool sets_zero(const ProgramAnalysis& analysis, const dataflow::Comparison& test, Variable variable) {
     const Program& program = analysis.program();
     const Guarded* guarded = guarded_by(program, test);
-    return guarded != nullptr && only_sets(program, *guarded, variable) &&
+    return exemptions::zero_made_sure.is_on() && guarded != nullptr &&
+           only_sets(program, *guarded, variable) &&
            std::ranges::all_of(program.effects_in(guarded->effects), [&](const Effect& effect) {
                return is_zero(program, std::get<Assign>(effect.what).value);
            });

@@ -3,12 +3,18 @@
 
 #include "analyzer/dataflow/facts/comparison.hpp"
 #include "analyzer/dataflow/facts/store.hpp"
+#include "analyzer/source/exemption.hpp"
 #include "analyzer/workspace/program_analysis.hpp"
 
 #include <optional>
 #include <unordered_map>
 
 namespace maclint::queries {
+
+/// By which a test for vacancy may stand where nothing is vacant.
+namespace exemptions {
+inline constexpr Exemption zero_made_sure;
+} // namespace exemptions
 
 /// Whether the test makes no difference: what it guards only sets the tested variable, or the value is a copy
 /// of one that was tested before.

@@ -27,30 +27,17 @@ bool only_calculates(const Effect& effect) {
            std::holds_alternative<Jump>(effect.what) || std::holds_alternative<RegionMark>(effect.what);
 }
 
-/// What the program reads, asked once.
+/// The variables that the program reads, asked once.
 class Reads {
   public:
     explicit Reads(const ProgramAnalysis& analysis) {
-        std::set<ExpressionId> reached;
-        for (const dataflow::Read& read : analysis.facts().all<dataflow::Read>()) {
-            reached.insert(read.expression);
+        for (const dataflow::Read& read : analysis.facts().all<dataflow::Read>())
             read_.insert(dataflow::key_of(read.variable));
-        }
-        const auto& expressions = analysis.program().expressions;
-        for (ExpressionId id = 0; id < expressions.size(); ++id) {
-            const auto* load = std::get_if<Load>(&expressions[id].node);
-            if (load != nullptr && !reached.contains(id)) unreached_.insert(dataflow::key_of(load->variable));
-        }
     }
-    /// Some block reads the variable.
     [[nodiscard]] bool hold(Variable variable) const { return read_.contains(dataflow::key_of(variable)); }
-    /// Some block does to which no path leads.
-    [[nodiscard]] bool hold_unreached(Variable variable) const {
-        return unreached_.contains(dataflow::key_of(variable));
-    }
 
   private:
-    std::unordered_set<dataflow::Key> read_, unreached_;
+    std::unordered_set<dataflow::Key> read_;
 };
 
 /// Looks from one store on.
@@ -193,7 +180,6 @@ std::vector<DeadStore> find_dead_stores(const ProgramAnalysis& analysis) {
             analysis.liveness().is_live_after(store.effect, store.variable))
             continue;
         if (!reads) reads.emplace(analysis);
-        if (reads->hold_unreached(store.variable)) continue;
         auto found = Search(analysis, store).run();
         if (limit.is_met()) {
             execution::GivenUp::note(analysis.search_memory());

@@ -24,12 +24,11 @@ struct DeadStore {
     std::optional<ExpressionId> only_if;
 };
 
-/// In the order of facts. Left out are variables that blocks read to which no path leads; those that other
-/// programs share, wherever something else than an assignment or a decision may run before they are stored
-/// again: a display, a called program or somebody at the control may read them there. Left out are modal
-/// codes that are saved, and a branch of a selection that goes on into the next one: other questions tell of
-/// them. Behind all stores a million nodes are looked at, and 1,000 more for each; beyond that the rule is
-/// said to have given up.
+/// In the order of facts. Left out are variables that other programs share, wherever something else than an
+/// assignment or a decision may run before they are stored again: a display, a called program or somebody at
+/// the control may read them there. Left out are modal codes that are saved, and a branch of a selection that
+/// goes on into the next one: other questions tell of them. Behind all stores a million nodes are looked at,
+/// and 1,000 more for each; beyond that the rule is said to have given up.
 [[nodiscard]] std::vector<DeadStore> find_dead_stores(const ProgramAnalysis& analysis);
 
 } // namespace maclint::queries

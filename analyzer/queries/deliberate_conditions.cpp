@@ -38,19 +38,6 @@ std::string guarded_text(const Program& program, EffectId effect) {
     return without_blanks(program.slice(span));
 }
 
-/// What the condition guards: IF[#1GT#2]THEN#1=#2 makes sure, whether it is needed or not.
-bool only_clamps(const ProgramAnalysis& analysis, const dataflow::Condition& condition) {
-    const Program& program = analysis.program();
-    const Guarded* guarded = guarded_by(program, condition.effect);
-    if (guarded == nullptr) return false;
-    const dataflow::ReadSet reads = dataflow::variables_of(program, condition.expression);
-    return std::ranges::any_of(program.effects_in(guarded->effects), [&](const Effect& effect) {
-        const auto* assign = std::get_if<Assign>(&effect.what);
-        const auto* variable = assign == nullptr ? nullptr : std::get_if<Variable>(&assign->target);
-        return variable != nullptr && std::ranges::find(reads.variables, *variable) != reads.variables.end();
-    });
-}
-
 struct Sides {
     bool vacant = false; ///< one has never been set
     bool open = true;    ///< no comparison is decided by itself: #1LT8 OR #1GT6
@@ -102,12 +89,11 @@ bool DeliberateConditions::may_be_meant(const dataflow::Condition& condition,
     if (sides.open) return false;
     const bool asks_of_vacant = exemptions::condition_on_vacancy.is_on() && sides.vacant;
     const bool asks_for_settings = !guard && exemptions::condition_on_settings.is_on();
-    if (!guard && exemptions::condition_near_rounding.is_on() && sides.near) return true;
+    if (!guard && sides.near) return true;
     if (asks_for_settings && settings_.is_all_that_is_read(condition.expression, condition.effect))
         return true;
     if (!guard && asks_of_vacant) return true; // MAC209's, or a case that is left over
     if (leaves_nothing_to_run(condition)) return false;
-    if (exemptions::limit_made_sure.is_on() && only_clamps(analysis_, condition)) return true;
     if (exemptions::jump_to_same_place.is_on() && repeats_another(condition)) return true;
     if (exemptions::same_block_guarded_again.is_on() && does_what_another_does(condition)) return true;
     if (asks_for_settings && settings_.is_read(condition.effect)) return true;

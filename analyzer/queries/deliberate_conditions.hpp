@@ -17,10 +17,8 @@ namespace maclint::queries {
 
 /// By which a condition that decides nothing is taken for meant.
 namespace exemptions {
-inline constexpr Exemption condition_near_rounding;
 inline constexpr Exemption condition_on_settings;
 inline constexpr Exemption condition_on_vacancy;
-inline constexpr Exemption limit_made_sure;
 inline constexpr Exemption jump_to_same_place;
 inline constexpr Exemption same_block_guarded_again;
 inline constexpr Exemption last_case_tested;

@@ -50,7 +50,8 @@ std::optional<EarlyCheck> check_before(const ProgramAnalysis& analysis, const da
             continue;
         }
         const auto limit = limit_that_reads(analysis, *read);
-        if (!limit || !is_same_value(read->value, store.old) || looks_at_source(analysis, *limit, store))
+        if (!limit || !is_same_value(read->value, store.old) ||
+            (exemptions::held_against_last_value.is_on() && looks_at_source(analysis, *limit, store)))
             return std::nullopt;
         if (!found) found = EarlyCheck{read, &store};
     }

@@ -3,11 +3,17 @@
 
 #include "analyzer/dataflow/facts/read.hpp"
 #include "analyzer/dataflow/facts/store.hpp"
+#include "analyzer/source/exemption.hpp"
 #include "analyzer/workspace/program_analysis.hpp"
 
 #include <vector>
 
 namespace maclint::queries {
+
+/// By which a limit may be asked for before its value is calculated.
+namespace exemptions {
+inline constexpr Exemption held_against_last_value;
+} // namespace exemptions
 
 /// A test with an alarm on one side, which reads what was in the variable when the program began.
 struct EarlyCheck {

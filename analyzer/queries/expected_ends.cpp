@@ -16,10 +16,6 @@
 namespace maclint::queries {
 namespace {
 
-/// T: a program that an operator starts may lack a setting or two; who reads so many that no block sets is
-/// called.
-constexpr std::size_t enough_arguments = 5;
-
 /// By a block that is skipped or unreadable; whether END closes a called file the manual does not say.
 bool may_return_otherwise(const Program& program) {
     const auto last = last_block(program);
@@ -87,18 +83,6 @@ bool ends_with_computed_function(const ProgramAnalysis& analysis) {
     return computed;
 }
 
-/// In a program whose number is one of macros: a jump to a block from which on no block does anything.
-std::optional<EffectId> find_jump_to_empty_end(const ProgramAnalysis& analysis) {
-    const Program& program = analysis.program();
-    if (!program.number || !analysis.control().macro_numbers.contains(*program.number)) return std::nullopt;
-    const Offset last = last_block_with_words(program);
-    const auto& jumps = analysis.graph().jumps;
-    const auto found = std::ranges::find_if(jumps, [&](const flow::ResolvedJump& jump) {
-        return jump.target && jump.target->block.begin > last && analysis.data().reached(jump.node);
-    });
-    return found == jumps.end() ? std::nullopt : std::optional(found->jump);
-}
-
 } // namespace
 
 bool may_end_otherwise(const ProgramAnalysis& analysis, const flow::Exit& past_end) {
@@ -114,10 +98,7 @@ std::optional<ExpectedEnd> find_expected_end(const ProgramAnalysis& analysis, co
         return std::nullopt;
     if (const flow::Exit* other = find_other_exit(analysis)) return other;
     if (const auto argument = find_macro_argument(program)) return WrittenAsMacro{*argument};
-    if (const auto arguments = argument_reads(program); arguments.size() >= enough_arguments)
-        return WrittenAsMacro{arguments.front()};
     if (const dataflow::Store* save = find_save_put_back(analysis)) return KeepsState{save};
-    if (const auto jump = find_jump_to_empty_end(analysis)) return MacroWithEmptyEnd{*jump};
     return std::nullopt;
 }
 

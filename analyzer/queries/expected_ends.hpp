@@ -18,14 +18,9 @@ struct WrittenAsMacro {
 struct KeepsState {
     const dataflow::Store* save;
 };
-/// Its number is one of macros, and a jump leads to its end, where no block does anything.
-struct MacroWithEmptyEnd {
-    EffectId jump;
-};
 
 /// A call of it, another exit that is reached, or how it is written.
-using ExpectedEnd =
-    std::variant<const Caller*, const flow::Exit*, WrittenAsMacro, KeepsState, MacroWithEmptyEnd>;
+using ExpectedEnd = std::variant<const Caller*, const flow::Exit*, WrittenAsMacro, KeepsState>;
 
 /// Whether the program may be left there all the same: by a block that may be skipped or that nobody can
 /// read, or by a called program that nobody knows.

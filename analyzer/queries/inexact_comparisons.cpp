@@ -61,10 +61,11 @@ std::optional<InexactSide> inexact_side(const ProgramAnalysis& analysis, const S
 
 bool is_decided_exactly(const ProgramAnalysis& analysis, const dataflow::Comparison& c) {
     return is_same_value(c.left, c.right) || are_rounded_alike(analysis, c.left, c.right) ||
-           asks_for_whole(analysis, c.left, c.right) || is_safe_against_zero(analysis, c.left, c.right) ||
+           (exemptions::whole_number_asked_for.is_on() && asks_for_whole(analysis, c.left, c.right)) ||
+           is_safe_against_zero(analysis, c.left, c.right) ||
            is_safe_against_zero(analysis, c.right, c.left) ||
-           is_copy_asked_for(analysis, c.left_expression, c.right) ||
-           is_copy_asked_for(analysis, c.right_expression, c.left);
+           (exemptions::copy_asked_for.is_on() && (is_copy_asked_for(analysis, c.left_expression, c.right) ||
+                                                   is_copy_asked_for(analysis, c.right_expression, c.left)));
 }
 
 } // namespace maclint::queries

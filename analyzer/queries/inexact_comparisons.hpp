@@ -3,12 +3,19 @@
 
 #include "analyzer/dataflow/facts/comparison.hpp"
 #include "analyzer/queries/inexact_sums.hpp"
+#include "analyzer/source/exemption.hpp"
 #include "analyzer/workspace/program_analysis.hpp"
 
 #include <cstdint>
 #include <optional>
 
 namespace maclint::queries {
+
+/// By which rounded numbers may be compared.
+namespace exemptions {
+inline constexpr Exemption whole_number_asked_for;
+inline constexpr Exemption copy_asked_for;
+} // namespace exemptions
 
 /// What makes a side of a comparison inexact.
 struct InexactSide {

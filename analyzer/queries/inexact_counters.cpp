@@ -55,7 +55,9 @@ bool is_risky(const ProgramAnalysis& analysis, const dataflow::Loop& loop, const
     if (test.stays == Operation::not_equal) return true;
     const auto step = counter.steps.front()->step->amount.constant();
     constexpr double usual_step = 1; // of one that only the running program knows
-    if (adds_tolerance(analysis.program(), test.bound, step ? std::abs(*step) : usual_step)) return false;
+    if (exemptions::tolerance_in_the_bound.is_on() &&
+        adds_tolerance(analysis.program(), test.bound, step ? std::abs(*step) : usual_step))
+        return false;
     const auto bound = test.bound_value->constant();
     if (!bound || !step || *step == 0) return true;
     return !std::ranges::all_of(starts_of(analysis, loop, counter.variable),
@@ -76,7 +78,7 @@ std::vector<InexactCounter> find_inexact_counters(const ProgramAnalysis& analysi
     std::unordered_set<const dataflow::Store*> steps;
     for (const dataflow::Loop& loop : analysis.loops()) {
         const auto counter = counter_of(analysis, loop);
-        if (!counter || !counter->clamps.empty()) continue;
+        if (!counter || (exemptions::counter_held_at_a_limit.is_on() && !counter->clamps.empty())) continue;
         const auto inexact = std::ranges::find_if(counter->steps, [&](const dataflow::Store* store) {
             return is_inexact_step(analysis, store->step->amount);
         });

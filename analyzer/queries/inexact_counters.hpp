@@ -4,12 +4,19 @@
 #include "analyzer/dataflow/facts/comparison.hpp"
 #include "analyzer/dataflow/facts/store.hpp"
 #include "analyzer/queries/loop_counter.hpp"
+#include "analyzer/source/exemption.hpp"
 #include "analyzer/workspace/program_analysis.hpp"
 
 #include <unordered_set>
 #include <vector>
 
 namespace maclint::queries {
+
+/// By which an inexact counter may end a loop.
+namespace exemptions {
+inline constexpr Exemption tolerance_in_the_bound;
+inline constexpr Exemption counter_held_at_a_limit;
+} // namespace exemptions
 
 /// A loop whose end depends on a sum of inexact steps.
 struct InexactCounter {

@@ -25,7 +25,7 @@ std::vector<UncheckedBound> unchecked_bounds(const ProgramAnalysis& analysis) {
     std::optional<OperandRisks> risks;
     for (const dataflow::Loop& loop : analysis.loops()) {
         const auto counter = counter_of(analysis, loop);
-        if (!counter || ends_at_a_number(*counter)) continue;
+        if (!counter || (exemptions::search_in_a_table.is_on() && ends_at_a_number(*counter))) continue;
         for (const CounterTest& test : counter->tests) {
             const auto reads = analysis.facts().at<dataflow::Read>(test.comparison->effect);
             const auto read = std::ranges::find(reads, test.bound, &dataflow::Read::expression);

@@ -3,11 +3,17 @@
 
 #include "analyzer/dataflow/facts/read.hpp"
 #include "analyzer/queries/operand_risks.hpp"
+#include "analyzer/source/exemption.hpp"
 #include "analyzer/workspace/program_analysis.hpp"
 
 #include <vector>
 
 namespace maclint::queries {
+
+/// By which a bound may go unchecked.
+namespace exemptions {
+inline constexpr Exemption search_in_a_table;
+} // namespace exemptions
 
 /// A loop that goes on until its counter passes an argument. The pointers lead to facts of the program.
 struct UncheckedBound {

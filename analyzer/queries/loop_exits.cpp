@@ -22,6 +22,7 @@ bool is_move(const Program& program, const flow::Node& node) {
 
 /// A loop that neither moves nor computes waits for somebody else: an operator, a robot, another path.
 bool waits(const ProgramAnalysis& analysis, const dataflow::Loop& loop) {
+    if (!exemptions::wait_for_others.is_on()) return false;
     for (const flow::NodeId node : loop.body) {
         const flow::Node& n = analysis.graph().nodes[node];
         if (is_move(analysis.program(), n)) return false;

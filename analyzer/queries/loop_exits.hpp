@@ -3,12 +3,18 @@
 
 #include "analyzer/dataflow/facts/condition.hpp"
 #include "analyzer/dataflow/loops.hpp"
+#include "analyzer/source/exemption.hpp"
 #include "analyzer/workspace/program_analysis.hpp"
 
 #include <optional>
 #include <vector>
 
 namespace maclint::queries {
+
+/// By which a loop is taken for one that somebody else ends.
+namespace exemptions {
+inline constexpr Exemption wait_for_others;
+} // namespace exemptions
 
 /// The WHILE or DO of the text that the loop is; nullptr for one that a jump closes.
 [[nodiscard]] const flow::Region* region_of(const ProgramAnalysis& analysis, const dataflow::Loop& loop);

@@ -74,7 +74,8 @@ std::vector<MissingArgument> find_missing_arguments(const ProgramAnalysis& analy
         const bool known = std::ranges::any_of(
             found, [&](const MissingArgument& other) { return other.read->variable == read.variable; });
         if (known || read.use != dataflow::Use::arithmetic || !is_as_passed(analysis, read) ||
-            std::ranges::find(formals, read.variable) == formals.end() || is_asked_for(analysis, read))
+            std::ranges::find(formals, read.variable) == formals.end() ||
+            (exemptions::compared_somewhere.is_on() && is_asked_for(analysis, read)))
             continue;
         if (any_within_limit(callers, [&](const Caller& caller) {
                 return argument_for(analysis, caller, read.variable) != nullptr;

@@ -2,11 +2,17 @@
 #pragma once
 
 #include "analyzer/dataflow/facts/read.hpp"
+#include "analyzer/source/exemption.hpp"
 #include "analyzer/workspace/program_analysis.hpp"
 
 #include <vector>
 
 namespace maclint::queries {
+
+/// By which an argument that no call passes may be read.
+namespace exemptions {
+inline constexpr Exemption compared_somewhere;
+} // namespace exemptions
 
 struct MissingArgument {
     const dataflow::Read* read; ///< the first that calculates with it

@@ -13,7 +13,9 @@
 namespace maclint::queries {
 namespace {
 
-constexpr double largest_tolerance = 0.01;
+/// A tolerance is some thousandths, in either unit: positions have three decimals in millimetres and four in
+/// inches, and rounding changes the last. Hundredths of an inch are a way to go.
+constexpr double below = 0.01;
 constexpr int most_tests = 8; ///< between a move and a comparison
 
 struct Compared {
@@ -63,7 +65,7 @@ class Search {
         const auto& node = program_.expressions[id].node;
         if (const auto* literal = std::get_if<Literal>(&node)) {
             const double size = std::abs(literal->value);
-            return size > 0 && size <= largest_tolerance ? std::optional(id) : std::nullopt;
+            return size > 0 && size < below ? std::optional(id) : std::nullopt;
         }
         const auto* apply = std::get_if<Apply>(&node);
         if (apply == nullptr ||

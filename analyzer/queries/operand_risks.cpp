@@ -193,7 +193,7 @@ std::optional<OperandRisk> OperandRisks::risk_of(const Application& application)
         const Comparison* passed = nullptr;
         const auto stops_zero = [&](const Comparison* comparison) {
             if (!comes_first[comparison->node]) return false;
-            if (!lets_zero_pass(variable, *comparison)) return true;
+            if (!lets_zero_pass(variable, *comparison)) return exemptions::compared_before.is_on();
             passed = comparison;
             return false;
         };
@@ -211,7 +211,8 @@ std::optional<OperandRisk> OperandRisks::risk_of(const Application& application)
 std::optional<OperandRisk> OperandRisks::risk_of_root(const Value& operand) const {
     const auto variables = sides_of_difference(analysis_, operand);
     const auto is_free = [&](Variable variable) {
-        return may_be_anything(variable) && checks_of(variable) == nullptr;
+        return may_be_anything(variable) &&
+               (!exemptions::compared_before.is_on() || checks_of(variable) == nullptr);
     };
     if (variables.empty() || !std::ranges::all_of(variables, is_free)) return std::nullopt;
     return unchecked(variables.front());

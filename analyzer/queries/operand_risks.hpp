@@ -5,6 +5,7 @@
 #include "analyzer/dataflow/facts/comparison.hpp"
 #include "analyzer/dataflow/facts/read.hpp"
 #include "analyzer/queries/passed_values.hpp"
+#include "analyzer/source/exemption.hpp"
 #include "analyzer/workspace/program_analysis.hpp"
 
 #include <optional>
@@ -14,6 +15,11 @@
 #include <vector>
 
 namespace maclint::queries {
+
+/// By which an operation may have no value.
+namespace exemptions {
+inline constexpr Exemption compared_before;
+} // namespace exemptions
 
 /// Why an operation may have no value.
 struct OperandRisk {

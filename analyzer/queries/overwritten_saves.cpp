@@ -95,7 +95,9 @@ std::vector<OverwrittenSave> overwritten_saves(const ProgramAnalysis& analysis) 
             if (source && source->group) continue; // saved anew
             const auto saved = saved_before(analysis, *store);
             if (!saved || !would_restore(analysis, write, *saved->source.group)) continue;
-            if (write.stated && is_computed_from(analysis, *store)) continue;
+            if (exemptions::computed_from_the_saved.is_on() && write.stated &&
+                is_computed_from(analysis, *store))
+                continue;
             if (known.contains(store)) continue;
             if (!put_back) put_back = values_put_back(analysis);
             if (put_back->contains({dataflow::key_of(*variable), saved->source.expression})) continue;

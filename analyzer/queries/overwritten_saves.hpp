@@ -4,11 +4,17 @@
 #include "analyzer/dataflow/facts/modal_write.hpp"
 #include "analyzer/dataflow/facts/store.hpp"
 #include "analyzer/queries/copies.hpp"
+#include "analyzer/source/exemption.hpp"
 #include "analyzer/workspace/program_analysis.hpp"
 
 #include <vector>
 
 namespace maclint::queries {
+
+/// By which a saved value may be overwritten.
+namespace exemptions {
+inline constexpr Exemption computed_from_the_saved;
+} // namespace exemptions
 
 struct OverwrittenSave {
     CopySource saved;                  ///< the modal value, with its group

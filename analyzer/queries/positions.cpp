@@ -55,9 +55,10 @@ class Gather {
     [[nodiscard]] std::vector<PositionRead> found() const {
         std::vector<PositionRead> left;
         std::ranges::copy_if(found_, std::back_inserter(left), [&](const PositionRead& one) {
-            return std::ranges::none_of(found_, [&](const PositionRead& other) {
-                return other.axis == one.axis && other.subtracted != one.subtracted;
-            });
+            return !exemptions::distance_along_an_axis.is_on() ||
+                   std::ranges::none_of(found_, [&](const PositionRead& other) {
+                       return other.axis == one.axis && other.subtracted != one.subtracted;
+                   });
         });
         return left;
     }

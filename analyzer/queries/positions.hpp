@@ -2,12 +2,18 @@
 #pragma once
 
 #include "analyzer/dataflow/domain/value.hpp"
+#include "analyzer/source/exemption.hpp"
 #include "analyzer/workspace/program_analysis.hpp"
 
 #include <optional>
 #include <vector>
 
 namespace maclint::queries {
+
+/// By which a position may be read while a move runs.
+namespace exemptions {
+inline constexpr Exemption distance_along_an_axis;
+} // namespace exemptions
 
 /// A machine value that tells where an axis is.
 struct PositionRead {

@@ -217,7 +217,8 @@ void add_jump_targets(const ProgramAnalysis& analysis, std::vector<RepeatedNumbe
         const auto user = analysis.user_of_label(copies.front().label);
         if (!user) continue;
         if (!jumps) jumps.emplace(analysis);
-        if (!have_computed_jumps_of_their_own(*jumps, *number, copies))
+        if (!exemptions::computed_jump_beside_each.is_on() ||
+            !have_computed_jumps_of_their_own(*jumps, *number, copies))
             found.push_back(judge(analysis, *jumps, *number, copies, *user));
     }
 }

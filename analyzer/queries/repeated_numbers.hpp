@@ -2,6 +2,7 @@
 #pragma once
 
 #include "analyzer/program/numbered_blocks.hpp"
+#include "analyzer/source/exemption.hpp"
 #include "analyzer/workspace/program_analysis.hpp"
 
 #include <cstdint>
@@ -9,6 +10,11 @@
 #include <vector>
 
 namespace maclint::queries {
+
+/// By which a number may stand twice.
+namespace exemptions {
+inline constexpr Exemption computed_jump_beside_each;
+} // namespace exemptions
 
 /// What becomes of a number that stands more than once.
 enum class Doubling : std::uint8_t {

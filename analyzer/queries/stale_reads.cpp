@@ -53,7 +53,7 @@ class Search {
     std::optional<StaleRead> of(Variable variable) {
         const auto set_for = cases_that_set(variable);
         if (set_for.cases.size() < 2) return std::nullopt;
-        const auto reads = reads_that_matter(variable);
+        const auto reads = first_reads(variable);
         if (reads.empty()) return std::nullopt;
         const auto setting = nodes_that_set(variable);
         for (const Case& other : cases_) {
@@ -176,22 +176,15 @@ class Search {
         });
     }
 
-    /// The first of them, in the order of nodes.
-    [[nodiscard]] std::vector<const dataflow::Read*> reads_that_matter(Variable variable) const {
+    /// The first of them that take its value, in the order of nodes.
+    [[nodiscard]] std::vector<const dataflow::Read*> first_reads(Variable variable) const {
         std::vector<const dataflow::Read*> reads;
         for (const dataflow::Read* read : analysis_.facts().about<dataflow::Read>(variable)) {
-            if (!matters(*read)) continue;
+            if (read->use == dataflow::Use::vacancy_test) continue;
             reads.push_back(read);
             if (reads.size() == most_searches) break;
         }
         return reads;
-    }
-
-    [[nodiscard]] bool matters(const dataflow::Read& read) const {
-        if (read.use == dataflow::Use::vacancy_test || read.use == dataflow::Use::comparison) return false;
-        return std::ranges::none_of(
-            analysis_.facts().at<dataflow::Store>(read.effect),
-            [&](const dataflow::Store& store) { return store.variable == read.variable; });
     }
 
     [[nodiscard]] std::vector<flow::NodeId> nodes_that_set(Variable variable) const {

@@ -67,18 +67,13 @@ std::optional<EffectId> ender_before(const ProgramAnalysis& analysis, flow::Node
     return jumps || is_end(effect) || is_alarm(effect) ? std::optional(last) : std::nullopt;
 }
 
-/// Behind the jump its block goes on with a remark: `GOTO4(DELETE TO ENABLE)`. Or the program has no other
-/// way to go than to the alarm: it is switched off as a whole.
+/// Behind the jump its block goes on with a remark: `GOTO4(DELETE TO ENABLE)`.
 bool is_passed_on_purpose(const ProgramAnalysis& analysis, const UnreachedRegion& region) {
-    const flow::Graph& graph = analysis.graph();
     const Effect& effect = analysis.program().effects[*region.ender];
-    if (is_alarm(effect))
-        return std::ranges::none_of(graph.exits, [&](const flow::Exit& exit) {
-            return exit.node + 1 != region.first && is_reached(graph, exit.node);
-        });
     const std::string_view behind =
-        analysis.program().slice({effect.span.end, graph.nodes[region.first - 1].part.end});
-    return std::holds_alternative<Jump>(effect.what) && std::ranges::any_of(behind, is_letter);
+        analysis.program().slice({effect.span.end, analysis.graph().nodes[region.first - 1].part.end});
+    return exemptions::remark_behind_jump.is_on() && std::holds_alternative<Jump>(effect.what) &&
+           std::ranges::any_of(behind, is_letter);
 }
 
 UnreachedRegion region_at(flow::NodeId node, Span part) {
@@ -88,18 +83,7 @@ UnreachedRegion region_at(flow::NodeId node, Span part) {
     return region;
 }
 
-/// The words of the program's jumps, in capitals: "GOTO".
-std::vector<std::string> jump_words(const ProgramAnalysis& analysis) {
-    std::vector<std::string> words;
-    for (const flow::ResolvedJump& jump : analysis.graph().jumps) {
-        std::string word = in_capitals(analysis.program().slice(analysis.program().effects[jump.jump].span));
-        word.erase(std::ranges::find_if_not(word, is_letter), word.end());
-        if (!word.empty() && std::ranges::find(words, word) == words.end()) words.push_back(std::move(word));
-    }
-    return words;
-}
-
-/// A number that stands behind a word.
+/// A number that stands behind an N.
 struct NumberInText {
     std::int64_t number;
     Offset word;
@@ -112,35 +96,14 @@ std::optional<std::int64_t> number_at(std::string_view text) {
     return is_number ? std::optional(number) : std::nullopt;
 }
 
-/// Sorted by number. Between the word, which is in capitals, and the number `blanks` may stand.
-std::vector<NumberInText> numbers_behind(std::string_view word, std::string_view blanks,
-                                         const Program& program) {
+/// The numbers that stand behind an N, sorted.
+std::vector<NumberInText> numbers_of_blocks(const Program& program) {
     const std::string text = in_capitals(program.slice(program.span));
     std::vector<NumberInText> numbers;
-    for (auto at = text.find(word); at != std::string::npos; at = text.find(word, at + 1)) {
-        const std::string_view rest = std::string_view(text).substr(at + word.size());
-        const std::size_t digits = std::min(rest.find_first_not_of(blanks), rest.size());
-        if (const auto number = number_at(rest.substr(digits)))
+    for (auto at = text.find('N'); at != std::string::npos; at = text.find('N', at + 1))
+        if (const auto number = number_at(std::string_view(text).substr(at + 1)))
             numbers.push_back({*number, static_cast<Offset>(program.span.begin + at)});
-    }
     std::ranges::sort(numbers, {}, &NumberInText::number);
-    return numbers;
-}
-
-/// The numbers that stand behind such words in remarks and other text that is no jump; sorted.
-std::vector<std::int64_t> numbers_told_of(const ProgramAnalysis& analysis) {
-    const Program& program = analysis.program();
-    const auto& jumps = analysis.graph().jumps;
-    const auto span_of = [&](const flow::ResolvedJump& jump) { return program.effects[jump.jump].span; };
-    std::vector<std::int64_t> numbers;
-    for (const std::string& word : jump_words(analysis))
-        for (const NumberInText& found : numbers_behind(word, " ", program)) {
-            const auto after = std::ranges::upper_bound(
-                jumps, found.word, {}, [&](const flow::ResolvedJump& jump) { return span_of(jump).begin; });
-            if (after == jumps.begin() || !span_of(*std::prev(after)).contains(found.word))
-                numbers.push_back(found.number);
-        }
-    std::ranges::sort(numbers);
     return numbers;
 }
 
@@ -148,19 +111,14 @@ std::vector<std::int64_t> numbers_told_of(const ProgramAnalysis& analysis) {
 class NamedBlocks {
   public:
     explicit NamedBlocks(const ProgramAnalysis& analysis)
-        : program_(analysis.program())
-        , told_of_(numbers_told_of(analysis)) {}
+        : program_(analysis.program()) {}
 
-    /// Whether a jump to the region stands in a remark.
-    [[nodiscard]] bool has_jump_to(const UnreachedRegion& region) const {
-        return region.number && std::ranges::binary_search(told_of_, *region.number);
-    }
-    /// Whether its number stands behind an N elsewhere.
+    /// Whether the region's number stands behind an N elsewhere.
     [[nodiscard]] bool names(const UnreachedRegion& region) {
         if (!region.number) return false;
-        if (!behind_n_) behind_n_ = numbers_behind("N", "", program_);
+        if (!numbers_) numbers_ = numbers_of_blocks(program_);
         return std::ranges::any_of(
-            std::ranges::equal_range(*behind_n_, *region.number, {}, &NumberInText::number),
+            std::ranges::equal_range(*numbers_, *region.number, {}, &NumberInText::number),
             [&](const NumberInText& named) {
                 return !region.text.contains(named.word) && region.head.begin != named.word;
             });
@@ -168,8 +126,7 @@ class NamedBlocks {
 
   private:
     const Program& program_;
-    std::vector<std::int64_t> told_of_;
-    std::optional<std::vector<NumberInText>> behind_n_; ///< nothing: nobody has asked
+    std::optional<std::vector<NumberInText>> numbers_; ///< nothing: nobody has asked
 };
 
 /// Whether a jump, or a called program when it returns, looks for a number that no block bears.
@@ -252,7 +209,7 @@ std::vector<UnreachedRegion> unreached_regions(const ProgramAnalysis& analysis) 
     const bool misses = misses_a_number(analysis);
     for (UnreachedRegion& region : found) {
         look_at(analysis, region);
-        region.is_meant = is_passed_on_purpose(analysis, region) || named.has_jump_to(region);
+        region.is_meant = is_passed_on_purpose(analysis, region);
         region.is_explained = is_explained(analysis, region, misses);
         region.is_named = region.is_alarm && named.names(region);
     }

@@ -1,6 +1,7 @@
 //! Blocks in a row that no path reaches.
 #pragma once
 
+#include "analyzer/source/exemption.hpp"
 #include "analyzer/workspace/program_analysis.hpp"
 
 #include <cstdint>
@@ -8,6 +9,11 @@
 #include <vector>
 
 namespace maclint::queries {
+
+/// By which blocks are taken for left out on purpose.
+namespace exemptions {
+inline constexpr Exemption remark_behind_jump;
+} // namespace exemptions
 
 struct UnreachedRegion {
     flow::NodeId first, last;
@@ -22,9 +28,7 @@ struct UnreachedRegion {
     bool leaves = false;       ///< a block of it ends the program or returns
     bool moves = false;        ///< some block moves or calls
     bool only_switches = true; ///< no block moves, calls or stores
-    /// A remark stands behind the jump or holds a jump to its number, or the program does nothing but stop
-    /// before it.
-    bool is_meant = false;
+    bool is_meant = false;     ///< a remark stands behind the jump before it
     /// Text in it is unreadable, its number stands twice, or a jump or a called program looks for a number
     /// that no block bears.
     bool is_explained = false;

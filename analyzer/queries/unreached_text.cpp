@@ -114,9 +114,11 @@ std::vector<UnreachedText> unreached_text(const ProgramAnalysis& analysis) {
         UnreachedText text{&error, analysis.graph().nodes[nodes->first].part, region.text, false, {}};
         if (region.ender && is_lost(analysis, *region.ender)) text.lost_jump = region.ender;
         text.is_program_text =
-            region.ender && is_slip(error) &&
-            (text.lost_jump || !is_passed_on_purpose(analysis, *region.ender)) &&
-            reads_as_program(analysis.program().slice(text.block), text.lost_jump.has_value());
+            region.ender && (is_slip(error) || !exemptions::text_that_is_no_slip.is_on()) &&
+            (text.lost_jump || !exemptions::text_left_out.is_on() ||
+             !is_passed_on_purpose(analysis, *region.ender)) &&
+            (!exemptions::text_that_is_prose.is_on() ||
+             reads_as_program(analysis.program().slice(text.block), text.lost_jump.has_value()));
         found.push_back(text);
     }
     return found;

@@ -1,12 +1,20 @@
 //! What cannot be read, in parts of a program where no path leads.
 #pragma once
 
+#include "analyzer/source/exemption.hpp"
 #include "analyzer/workspace/program_analysis.hpp"
 
 #include <optional>
 #include <vector>
 
 namespace maclint::queries {
+
+/// By which text that cannot be read, and never is, is let pass.
+namespace exemptions {
+inline constexpr Exemption text_that_is_no_slip;
+inline constexpr Exemption text_left_out;
+inline constexpr Exemption text_that_is_prose;
+} // namespace exemptions
 
 struct UnreachedText {
     const SyntaxError* error; ///< of the file

@@ -59,30 +59,6 @@ std::optional<EffectId> first_store(const Program& program, Variable variable) {
     return read_before ? std::nullopt : store;
 }
 
-bool is_named(const Program& program, Variable variable) {
-    return std::ranges::any_of(program.expressions, [&](const Expression& expression) {
-        const auto* load = std::get_if<Load>(&expression.node);
-        return load != nullptr && program.meant_by(load->variable) == variable;
-    });
-}
-
-/// #18 in the text that no expression holds: a remark on an option.
-bool is_told_of(const Program& program, Variable variable) {
-    const std::string_view text = program.slice(program.span);
-    const std::string name = program.spell(variable);
-    const auto goes_on = [&](std::size_t at) {
-        return at < text.size() && (is_letter(text[at]) || is_digit(text[at]));
-    };
-    const auto is_read = [&](std::size_t at) {
-        return std::ranges::any_of(program.expressions, [&](const Expression& expression) {
-            return expression.span.contains(static_cast<Offset>(program.span.begin + at));
-        });
-    };
-    for (auto at = text.find(name); at != std::string_view::npos; at = text.find(name, at + 1))
-        if (!goes_on(at + name.size()) && !is_read(at)) return true;
-    return false;
-}
-
 /// The arguments that it may read as they were passed.
 std::vector<Variable> arguments_read(const ProgramAnalysis& called) {
     std::vector<Variable> live = called.liveness().live_before(0);
@@ -117,12 +93,6 @@ std::vector<Caller> others_that_pass(const ProgramAnalysis& called, const Caller
             passes(called, caller, variable))
             found.push_back(caller);
     return found;
-}
-
-/// Whether a block reads it that no path reaches, or a remark tells of it.
-bool is_provided_for(const Program& called, Variable variable) {
-    return (exemptions::argument_in_unreached_block.is_on() && is_named(called, variable)) ||
-           (exemptions::argument_in_a_remark.is_on() && is_told_of(called, variable));
 }
 
 /// A called program: which arguments were looked at, and which of them it reads.
@@ -172,9 +142,8 @@ std::vector<UnreadArgument> unread_arguments(const ProgramAnalysis& analysis) {
             if (variable == nullptr || !known.takes(here, *variable) ||
                 !is_first_that_passes(*called, here, *variable) || !known.leaves_unread(*variable))
                 continue;
-            const auto overwritten = first_store(called->program(), *variable);
-            if (!overwritten && is_provided_for(called->program(), *variable)) continue;
-            found.push_back({site.effect, called, &argument, *variable, overwritten,
+            found.push_back({site.effect, called, &argument, *variable,
+                             first_store(called->program(), *variable),
                              others_that_pass(*called, here, *variable)});
         }
     }

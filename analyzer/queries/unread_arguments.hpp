@@ -11,8 +11,6 @@ namespace maclint::queries {
 
 /// By which an argument that is not read is let pass.
 namespace exemptions {
-inline constexpr Exemption argument_in_a_remark;
-inline constexpr Exemption argument_in_unreached_block;
 inline constexpr Exemption program_to_be_written;
 } // namespace exemptions
 

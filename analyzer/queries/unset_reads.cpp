@@ -43,7 +43,9 @@ using Variables = std::unordered_set<Variable, VariableHash>;
 Variables series_taken(const ProgramAnalysis& analysis) {
     Variables taken;
     const auto& series = analysis.control().series;
-    if (series.empty() || analysis.is_main() || !analysis.callers().empty()) return taken;
+    if (!exemptions::argument_of_a_series.is_on() || series.empty() || analysis.is_main() ||
+        !analysis.callers().empty())
+        return taken;
     Variables read_as_given;
     for (const dataflow::Read& read : analysis.facts().all<dataflow::Read>())
         if (WorkLimit::allows() && is_as_at_entry(analysis, read)) read_as_given.insert(read.variable);
@@ -82,13 +84,15 @@ class SetSomewhere {
 
 /// A comparison may be the very test that takes care of vacancy: of a flag that only some paths set.
 bool may_be_a_test(const ProgramAnalysis& analysis, const dataflow::Read& read, SetSomewhere& set) {
-    return read.use == dataflow::Use::comparison && may_hold_vacant(analysis.program(), read.variable) &&
+    return exemptions::compared_as_a_test.is_on() && read.use == dataflow::Use::comparison &&
+           may_hold_vacant(analysis.program(), read.variable) &&
            (read.value.vacancy == dataflow::Vacancy::maybe || set.has(read.variable));
 }
 
 /// #33=#33+1: arithmetic takes vacant for 0, and counting from there is a custom.
 bool counts(const ProgramAnalysis& analysis, const dataflow::Read& read) {
-    if (!may_hold_vacant(analysis.program(), read.variable)) return false;
+    if (!exemptions::counting_from_vacant.is_on() || !may_hold_vacant(analysis.program(), read.variable))
+        return false;
     return std::ranges::any_of(
         analysis.facts().at<dataflow::Store>(read.effect),
         [&](const dataflow::Store& store) { return store.variable == read.variable && store.step; });
@@ -230,7 +234,8 @@ std::vector<UnsetReads> find_unset_reads(const ProgramAnalysis& analysis) {
             without_assignment.exclude(read.variable, read.node);
             tried.some_failed = true;
         }
-        if (found.path && read.use == dataflow::Use::word && is_as_at_entry(analysis, read))
+        if (found.path && exemptions::word_before_an_alarm.is_on() && read.use == dataflow::Use::word &&
+            is_as_at_entry(analysis, read))
             found = path_past_word(*search, analysis, read);
         if (!found.path) continue;
         tried.searches = most_attempts; // once a variable

@@ -4,6 +4,7 @@
 #include "analyzer/dataflow/domain/value.hpp"
 #include "analyzer/dataflow/facts/read.hpp"
 #include "analyzer/queries/missing_cases.hpp"
+#include "analyzer/source/exemption.hpp"
 #include "analyzer/workspace/program_analysis.hpp"
 
 #include <cstdint>
@@ -11,6 +12,13 @@
 #include <vector>
 
 namespace maclint::queries {
+
+/// By which a variable without a value may be read.
+namespace exemptions {
+inline constexpr Exemption argument_of_a_series;
+inline constexpr Exemption counting_from_vacant;
+inline constexpr Exemption compared_as_a_test;
+} // namespace exemptions
 
 /// Whether vacant is a value that the variable can be given and asked for; otherwise a variable that nothing
 /// has set is undefined.

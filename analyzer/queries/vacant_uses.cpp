@@ -62,10 +62,12 @@ bool is_used(const ProgramAnalysis& analysis, const dataflow::Read& read, std::s
     using dataflow::Use;
     // A letter may be left out on purpose, but not in a program that nobody calls, nor where the program
     // refuses every value that it could pass on.
-    if (read.use == Use::argument)
+    if (read.use == Use::argument && exemptions::handed_on_without_a_value.is_on())
         return read.value.vacancy == dataflow::Vacancy::vacant &&
                (analysis.is_main() || is_refused(analysis, read.variable));
-    if (read.use == Use::word && is_setting_for_some_cases(analysis, read)) return false;
+    if (exemptions::speed_for_some_cases.is_on() && read.use == Use::word &&
+        is_setting_for_some_cases(analysis, read))
+        return false;
     if (read.use != Use::copy && read.use != Use::arithmetic) return true;
     const auto stores = analysis.facts().at<dataflow::Store>(read.effect);
     if (stores.size() != 1) return true; // what it is made of is not known one by one

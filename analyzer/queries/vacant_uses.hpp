@@ -3,9 +3,17 @@
 
 #include "analyzer/dataflow/facts/read.hpp"
 #include "analyzer/execution/path_search.hpp"
+#include "analyzer/source/exemption.hpp"
 #include "analyzer/workspace/program_analysis.hpp"
 
 namespace maclint::queries {
+
+/// By which a value that is not there does no harm.
+namespace exemptions {
+inline constexpr Exemption handed_on_without_a_value;
+inline constexpr Exemption speed_for_some_cases;
+inline constexpr Exemption word_before_an_alarm;
+} // namespace exemptions
 
 /// Whether the program does something with the value of the read: it moves by it, calculates with it, decides
 /// by it. It does not where it only passes it on, as an argument or to a variable that nobody of this program

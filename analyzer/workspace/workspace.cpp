@@ -132,14 +132,12 @@ class WorkspaceBuilder {
         }
     }
 
-    static constexpr std::size_t most_bases = 16;   ///< that differ, of one file's calls
-    static constexpr std::int64_t most_above = 999; ///< numbers that are added to 7100
+    static constexpr std::size_t most_bases = 16; ///< that differ, of one file's calls
     [[nodiscard]] NamesakeList that_lie_above(const NamesakeList& programs,
                                               std::optional<std::int64_t> base) const {
         NamesakeList found;
         for (const ProgramIndex index : programs) {
-            const std::int64_t number = *programs_[index].program().number;
-            if (!base || (number >= *base && number - *base <= most_above)) found.push_back(index);
+            if (!base || *programs_[index].program().number >= *base) found.push_back(index);
         }
         return found;
     }

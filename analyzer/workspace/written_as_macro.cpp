@@ -7,7 +7,6 @@
 #include <algorithm>
 #include <unordered_map>
 #include <variant>
-#include <vector>
 
 namespace maclint {
 namespace {
@@ -37,19 +36,6 @@ bool reads_argument(const Program& program, const FirstStores& stores, Expressio
 }
 
 } // namespace
-
-std::vector<ExpressionId> argument_reads(const Program& program) {
-    const FirstStores stores = first_stores(program);
-    std::vector<ExpressionId> reads;
-    const auto variable_of = [&](ExpressionId id) {
-        return std::get<Load>(program.expressions[id].node).variable;
-    };
-    for (ExpressionId id = 0; id < program.expressions.size(); ++id)
-        if (reads_argument(program, stores, id) &&
-            std::ranges::find(reads, variable_of(id), variable_of) == reads.end())
-            reads.push_back(id);
-    return reads;
-}
 
 std::optional<ExpressionId> find_macro_argument(const Program& program) {
     const FirstStores stores = first_stores(program);

@@ -4,12 +4,8 @@
 #include "analyzer/program/model.hpp"
 
 #include <optional>
-#include <vector>
 
 namespace maclint {
-
-/// Reads of variables that a letter of a call reaches and that no block above sets, the first of each.
-[[nodiscard]] std::vector<ExpressionId> argument_reads(const Program& program);
 
 /// The first argument that a program reads as only a macro does: no block above sets what a letter of a call
 /// reaches, and it asks whether that was passed, or bears a number of macros and reads it. Nothing for a

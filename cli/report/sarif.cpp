@@ -386,6 +386,8 @@ class SarifWriter {
                      {{"precision", name_of(rule.precision)},
                       {"problem.severity", problem_severity(rule.severity)},
                       {"tags", {"nc-program", family_of(rule)}}}}};
+        for (const RuleExemption& record : rule.exemptions)
+            out["properties"]["exemptions"].push_back({{"name", record.name}, {"why", record.why}});
         if (!help_base.empty()) out["helpUri"] = std::string(help_base) + "/" + page_name(rule);
         if (!rule.alarms.empty()) out["relationships"] = relationships_of(rule);
         return out;

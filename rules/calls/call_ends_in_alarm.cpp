@@ -79,6 +79,21 @@ N99#3000=101(A MISSING)
 O9472(STOP)
 #3000=102(NO LENGTH)
 )nc"}},
+    .exemptions = {{&queries::exemptions::called_to_stop,
+                    "called-to-stop",
+                    "The called program is there for alarms, and nothing stands behind the call that only it "
+                    "leads to: it is called to stop.",
+                    {"fanuc", R"nc(
+O0470(JOB)
+IF[#1001EQ0]GOTO9
+G90 G0 X0
+M30
+N9 G65 P9470
+M30
+O9470(ALARMS)
+#3000=91(NO AIR)
+M99
+)nc"}}},
     .sources = {"SEED-001:642; T: no control reads on after an alarm"},
     .check = &check,
 };

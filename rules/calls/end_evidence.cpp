@@ -27,13 +27,9 @@ Evidence evidence_of(const ProgramAnalysis& analysis, const queries::ExpectedEnd
         return {"argument", name,
                 RelatedLocation{analysis.source(), argument.span, "no block above sets " + name}};
     }
-    if (const auto* keeps = std::get_if<queries::KeepsState>(&why)) {
-        const Span span = program.effects[keeps->save->effect].span;
-        return {"state", line_of(span),
-                RelatedLocation{analysis.source(), span, "the state of a caller is saved here"}};
-    }
-    const Span jump = program.effects[std::get<queries::MacroWithEmptyEnd>(why).jump].span;
-    return {"empty-end", quoted(program, jump), std::nullopt};
+    const Span span = program.effects[std::get<queries::KeepsState>(why).save->effect].span;
+    return {"state", line_of(span),
+            RelatedLocation{analysis.source(), span, "the state of a caller is saved here"}};
 }
 
 std::string missing_end(const ProgramAnalysis& analysis, const queries::ExpectedEnd& why) {

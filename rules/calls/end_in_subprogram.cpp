@@ -13,7 +13,9 @@ namespace maclint::rules {
 
 namespace {
 void check(const ProgramAnalysis& analysis, Reporter& reporter);
-}
+
+constexpr Exemption last_call;
+} // namespace
 
 extern const Rule end_in_subprogram{
     .code = "MAC457",
@@ -72,6 +74,18 @@ N30 G0 X#__la
 RETURN
 END
 )nc"}},
+    .exemptions = {{&last_call,
+                    "nothing-behind-the-call",
+                    "Nothing but an end stands behind the call: the job is over there anyway.",
+                    {"fanuc", R"nc(
+O0457(JOB)
+G90 G0 X0
+M98 P1457
+M30
+O1457(LAST PART)
+G90 G0 Z50.
+M30
+)nc"}}},
     .sources = {"T", "SEED-003:20016"},
     .check = &check,
 };
@@ -96,7 +110,8 @@ void check(const ProgramAnalysis& analysis, Reporter& reporter) {
     const auto caller = std::ranges::find_if(analysis.callers(), [&](const Caller& one) {
         const ProgramAnalysis& program_of_call = queries::calling_program(analysis, one);
         const auto call = program_of_call.graph().node_of(one.effect);
-        return call && program_of_call.data().reached(*call) && !is_last(program_of_call, *call);
+        return call && program_of_call.data().reached(*call) &&
+               !(last_call.is_on() && is_last(program_of_call, *call));
     });
     if (caller == analysis.callers().end()) return;
     const ProgramAnalysis& calling = queries::calling_program(analysis, *caller);

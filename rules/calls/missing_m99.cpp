@@ -51,8 +51,6 @@ extern const Rule missing_m99{
          {"state",
           "Missing {0}: {1} saves a modal state of its caller on line {2} and puts it back, but ends "
           "after this block without {0}, so that it does not return.",
-          "Add {0} after this block."},
-         {"empty-end", "Missing {0}: '{2}' leads to the end of {1}, which ends after this block without {0}.",
           "Add {0} after this block."}},
     .bad = {{"fanuc", R"nc(
 O0001(MAIN)

@@ -16,7 +16,9 @@ namespace maclint::rules {
 
 namespace {
 void check(const ProgramAnalysis& analysis, Reporter& reporter);
-}
+
+constexpr Exemption part_before_the_next, fragment;
+} // namespace
 
 extern const Rule missing_program_end{
     .code = "MAC455",
@@ -53,6 +55,24 @@ O0456(FACE, ENDS IN ANOTHER PROGRAM)
 G90 G54 G0 X0 Y0
 M98 P8999
 )nc"}},
+    .exemptions =
+        {{&part_before_the_next,
+          "part-before-the-next",
+          "What follows in the file is named by no number: it may be a part of this program, with its end.",
+          {"fanuc", R"nc(
+O0455(PLATE)
+G90 G0 X0
+<PART TWO>
+X10.
+M30
+)nc"}},
+         {&fragment,
+          "fragment",
+          "Nothing moves, or no number names the program: a list of data, or a part of a program.",
+          {"fanuc", R"nc(
+O0455(OFFSETS)
+G10 L2 P1 X0 Y0 Z0
+)nc"}}},
     .alarms = {{"FANUC 16i/18i/21i", "5010", "END OF RECORD"}, {"FANUC 30i/0i-D", "5010", "END OF RECORD"}},
     .sources = {"T"},
     .check = &check,
@@ -89,8 +109,8 @@ void check(const ProgramAnalysis& analysis, Reporter& reporter) {
     const auto exits = analysis.facts().all<dataflow::ExitState>();
     const auto leaves = [](const dataflow::ExitState& e) { return e.exit.kind == flow::ExitKind::runs_off; };
     const auto exit = std::ranges::find_if(exits, leaves);
-    if (exit == exits.end() || may_go_on(analysis) || !is_whole(analysis) ||
-        queries::may_end_otherwise(analysis, exit->exit) ||
+    if (exit == exits.end() || (part_before_the_next.is_on() && may_go_on(analysis)) ||
+        (fragment.is_on() && !is_whole(analysis)) || queries::may_end_otherwise(analysis, exit->exit) ||
         queries::find_expected_end(analysis, exit->exit)) // MAC456's
         return;
     const Span span = queries::last_block_before(analysis, exit->exit, *last);

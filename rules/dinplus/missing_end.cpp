@@ -12,7 +12,9 @@ namespace maclint::rules {
 
 namespace {
 void check(const ProgramAnalysis& analysis, Reporter& reporter);
-}
+
+constexpr Exemption breaks_off;
+} // namespace
 
 extern const Rule missing_end{
     .code = "DIN102",
@@ -38,6 +40,15 @@ N10 G14 Q0
 N20 M30
 END
 )nc"}},
+    .exemptions = {{&breaks_off,
+                    "breaks-off",
+                    "The machining part is empty, or breaks off with a block that nobody can read: a sketch, "
+                    "or an example.",
+                    {"dinplus", R"nc(
+PROGRAM HEAD
+#UNIT METRIC
+MACHINING
+)nc"}}},
     .sources = {"SEED-003:2223", "SEED-003:2941"},
     .check = &check,
 };
@@ -60,7 +71,9 @@ void check(const ProgramAnalysis& analysis, Reporter& reporter) {
     const auto& kinds = analysis.control().sections;
     const auto end = std::ranges::find(kinds, SectionKind::Role::end, &SectionKind::role);
     // A program that lacks its machining part, too, was cut off before it: that is reported.
-    if (!queries::has_section(program, SectionKind::Role::machining) || is_cut_off(program)) return;
+    if (!queries::has_section(program, SectionKind::Role::machining) ||
+        (breaks_off.is_on() && is_cut_off(program)))
+        return;
     if (end == kinds.end() || queries::has_section(program, *end)) return;
     const Span last = last_block(program)->span;
     reporter.report({analysis, last}, last, "plain", {std::string(end->name)});

@@ -13,7 +13,9 @@ namespace maclint::rules {
 
 namespace {
 void check(const ProgramAnalysis& analysis, Reporter& reporter);
-}
+
+constexpr Exemption half_of_a_loop;
+} // namespace
 
 extern const Rule unit_unbalanced{
     .code = "DIN015",
@@ -80,6 +82,22 @@ N9 END_OF_UNIT
 N10 M30
 END
 )nc"}},
+    .exemptions =
+        {{&half_of_a_loop,
+          "half-of-a-loop",
+          "A unit REPEAT begins a repetition and another one ends it: each holds a half of the loop.",
+          {"dinplus", R"nc(
+MACHINING
+UNIT ID"REPEAT"
+N10 WHILE #l1<3
+END_OF_UNIT
+N20 G0 X10
+UNIT ID"REPEAT"
+N30 ENDWHILE
+END_OF_UNIT
+N40 M30
+END
+)nc"}}},
     .sources = {"SEED-003:2233", "SEED-003:8566-8593"},
     .check = &check,
 };
@@ -99,7 +117,8 @@ bool may_hold_half_a_loop(const ProgramAnalysis& analysis, const flow::RegionFau
 
 void check(const ProgramAnalysis& analysis, Reporter& reporter) {
     for (const flow::RegionFault& fault : queries::nesting_faults(analysis, RegionKind::unit))
-        if (!may_hold_half_a_loop(analysis, fault)) report_nesting_fault(analysis, fault, reporter);
+        if (!half_of_a_loop.is_on() || !may_hold_half_a_loop(analysis, fault))
+            report_nesting_fault(analysis, fault, reporter);
 }
 
 } // namespace

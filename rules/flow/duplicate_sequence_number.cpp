@@ -74,6 +74,24 @@ N10 G810 NS2 NE3 P2
 N20 M30
 END
 )nc"}},
+    .exemptions = {{&queries::exemptions::computed_jump_beside_each,
+                    "computed-jump-beside-each",
+                    "The blocks were copied with the computed jump above them, which finds its own: a table "
+                    "of texts in several languages.",
+                    {"fanuc", R"nc(
+O9462(TEXTS, A LANGUAGE B NUMBER)
+IF[#1EQ2]GOTO50
+GOTO[#2]
+N1 #3006=1(OPEN THE DOOR)
+GOTO99
+N2 #3006=2(LOAD A PART)
+GOTO99
+N50 GOTO[#2]
+N1 #3006=1(TUER OEFFNEN)
+GOTO99
+N2 #3006=2(TEIL LADEN)
+N99 M99
+)nc"}}},
     .sources = {"ISORP", "T: search order"},
     .check = &check,
 };

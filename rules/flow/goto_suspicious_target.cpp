@@ -91,8 +91,7 @@ class JumpsToAlarms {
 void check(const ProgramAnalysis& analysis, Reporter& reporter) {
     std::optional<JumpsToAlarms> jumps; // most programs have no such region
     for (const queries::UnreachedRegion& region : queries::unreached_regions(analysis)) {
-        if (!region.number || region.is_alarm || !region.work || region.is_meant || region.is_explained)
-            continue;
+        if (!region.number || region.is_alarm || !region.work || region.is_explained) continue;
         if (!jumps) jumps.emplace(analysis);
         const flow::ResolvedJump* jump = jumps->beside(region);
         if (jump == nullptr) continue;

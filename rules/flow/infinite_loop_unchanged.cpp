@@ -84,6 +84,17 @@ N70 ENDWHILE
 N80 M30
 END
 )nc"}},
+    .exemptions = {{&queries::exemptions::wait_for_others,
+                    "waits-for-others",
+                    "The loop neither moves nor calculates, and asks for what others can change: it waits "
+                    "for an operator, a robot or another path.",
+                    {"fanuc", R"nc(
+O9319(WAIT FOR THE ROBOT)
+N1 IF[#890EQ1]GOTO2
+G4 P500
+GOTO1
+N2 M99
+)nc"}}},
     .sources = {"CNCWIKI-LOGIC"},
     .check = &check,
 };

@@ -74,6 +74,57 @@ N20 G14 Q0
 N30 M30
 END
 )nc"}},
+    .exemptions =
+        {{&queries::exemptions::remark_behind_jump,
+          "remark-behind-the-jump",
+          "A remark stands behind the jump that passes the blocks: somebody has switched them off, and says "
+          "how they come back.",
+          {"fanuc", R"nc(
+O0460(PLATE)
+G90 G0 X0
+GOTO4(DELETE TO ENABLE)
+G1 Z-5. F100.
+N4 G0 Z50.
+M30
+)nc"}},
+         {&exemptions::no_alarm_is_raised,
+          "no-alarm-is-raised",
+          "The program raises none of its alarms: they are kept for later, or were taken over with the rest.",
+          {"fanuc", R"nc(
+O9460(BORE, Z)
+G90 G0 Z#26
+M99
+N900 #3000=1(NO Z)
+)nc"}},
+         {&exemptions::leads_to_an_end,
+          "leads-to-an-end",
+          "A block of them ends the program or returns: a part of its own, which is begun by hand.",
+          {"fanuc", R"nc(
+O0460(PLATE)
+G90 G0 X0
+M30
+G90 G0 Z50.
+M30
+)nc"}},
+         {&exemptions::switches_behind_end,
+          "switches-behind-the-end",
+          "Behind the end of the program they only switch off what that switches off as well.",
+          {"fanuc", R"nc(
+O0460(PLATE)
+G90 G0 X0
+M30
+G40 G49 G80
+)nc"}},
+         {&exemptions::block_without_moves,
+          "block-without-moves",
+          "They have a number, and neither move nor call: a place that is kept for something.",
+          {"fanuc", R"nc(
+O9460(BORE, Z)
+G90 G0 Z#26
+GOTO9
+N5 #5=#26
+N9 M99
+)nc"}}},
     .sources = {"SEED-002:518", "SEED-003:20016", "SEED-003:20021", "T"},
     .check = &check,
 };

@@ -17,7 +17,7 @@ std::optional<UnreachedWords> words_for(const ProgramAnalysis& analysis,
     const std::string line = line_number(analysis.file(), ender.span.begin);
     if (region.number && region.is_alarm) {
         const Span alarm = program.effects[region.alarms.front()].span;
-        if (!another_is_raised) return std::nullopt;
+        if (exemptions::no_alarm_is_raised.is_on() && !another_is_raised) return std::nullopt;
         return UnreachedWords{"alarm",
                               region.head,
                               {number, quoted(program, alarm)},
@@ -26,8 +26,9 @@ std::optional<UnreachedWords> words_for(const ProgramAnalysis& analysis,
     }
     const auto* stop = std::get_if<Stop>(&ender.what);
     const bool ends = stop != nullptr && stop->kind != Stop::Kind::alarm;
-    if (region.leaves || !region.work) return std::nullopt;
-    if (ends && region.only_switches) return std::nullopt; // the end of a program switches off as well
+    if (!region.work || (exemptions::leads_to_an_end.is_on() && region.leaves)) return std::nullopt;
+    if (exemptions::switches_behind_end.is_on() && ends && region.only_switches)
+        return std::nullopt; // the end of a program switches off as well
     if (!region.number || ends) {
         // Who puts a GOTO in front of blocks switches them off for a while.
         const bool is_sure = !std::holds_alternative<Jump>(ender.what);
@@ -36,7 +37,7 @@ std::optional<UnreachedWords> words_for(const ProgramAnalysis& analysis,
                               {quoted(program, *region.work), before, line},
                               is_sure};
     }
-    if (!region.moves || region.is_alarm) return std::nullopt;
+    if ((exemptions::block_without_moves.is_on() && !region.moves) || region.is_alarm) return std::nullopt;
     return UnreachedWords{"block", region.head, {number, before, line}, false};
 }
 

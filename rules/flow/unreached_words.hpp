@@ -2,6 +2,7 @@
 #pragma once
 
 #include "analyzer/queries/unreached_regions.hpp"
+#include "analyzer/source/exemption.hpp"
 
 #include <optional>
 #include <span>
@@ -10,6 +11,14 @@
 #include <vector>
 
 namespace maclint::rules {
+
+/// By which unreached blocks are let pass.
+namespace exemptions {
+inline constexpr Exemption no_alarm_is_raised;
+inline constexpr Exemption leads_to_an_end;
+inline constexpr Exemption switches_behind_end;
+inline constexpr Exemption block_without_moves;
+} // namespace exemptions
 
 /// What is said of a region, and of the blocks at `place`.
 struct UnreachedWords {

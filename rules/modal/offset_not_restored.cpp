@@ -19,7 +19,9 @@ namespace maclint::rules {
 
 namespace {
 void check(const ProgramAnalysis& analysis, Reporter& reporter);
-}
+
+constexpr Exemption set_again_later;
+} // namespace
 
 extern const Rule offset_not_restored{
     .code = "MAC519",
@@ -83,6 +85,21 @@ G49
 G53 Z0
 M99
 )nc"}},
+    .exemptions = {{&set_again_later,
+                    "set-again-later",
+                    "A later block of the caller switches the offset on again: the move before it may be one "
+                    "of other axes.",
+                    {"fanuc", R"nc(
+O0519(JOB)
+G90 G43 H1 Z50.
+M98 P1519
+G0 X0
+G43 H2 Z50.
+M30
+O1519(PROBE)
+G49
+M99
+)nc"}}},
     .sources = {"SEED-001:1384", "T"},
     .check = &check,
 };
@@ -121,7 +138,8 @@ void check(const ProgramAnalysis& analysis, Reporter& reporter) {
         const queries::LeakUse& use = leak.leak_use;
         const bool cancels = analysis.control().groups[leak.group].cancel.has_value();
         if (!use.own_is_lost || use.program == nullptr ||
-            (cancels && is_set_after(use.program->program(), leak.group, use.block.begin)))
+            (set_again_later.is_on() && cancels &&
+             is_set_after(use.program->program(), leak.group, use.block.begin)))
             continue;
         const std::string line = "line " + line_number(use.program->file(), use.block.begin);
         report_leak(analysis, reporter, leak, cause_at(analysis, leak.part.origin), "left",

@@ -51,6 +51,17 @@ G91 G0 Z#6
 G#33
 M99
 )nc"}},
+    .exemptions =
+        {{&queries::exemptions::computed_from_the_saved,
+          "computed-from-the-saved",
+          "The new value is calculated from the saved one: a feed or speed that is made slower or faster.",
+          {"fanuc", R"nc(
+O9506(BORE, Z)
+#33=#4109
+#33=#33*0.5
+G90 G1 Z#26 F#33
+M99
+)nc"}}},
     .sources = {"T"},
     .check = &check,
 };

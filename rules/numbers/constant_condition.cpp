@@ -91,21 +91,7 @@ N90 M30
 END
 )nc"}},
     .exemptions =
-        {{&queries::exemptions::condition_near_rounding,
-          "last-digit",
-          "A calculated value stands against the very bound of what it can be: its last digit may lie "
-          "beyond, "
-          "and the condition keeps a function from it.",
-          {"fanuc", R"nc(
-O9718(BALL, X)
-#1=ABS[#24]*0.1
-IF[#1LT0]GOTO9
-#2=SQRT[#1]
-G90 G1 Z#2 F100.
-M99
-N9 #3000=1(X)
-)nc"}},
-         {&queries::exemptions::condition_on_settings,
+        {{&queries::exemptions::condition_on_settings,
           "asks-for-a-setting",
           "A number that somebody edits in the text decides it: with another one it turns out otherwise.",
           {"fanuc", R"nc(
@@ -125,18 +111,6 @@ O0718(PLATE)
 IF[#10EQ1]THEN#5=0.3
 G90 G0 Z50.
 M30
-)nc"}},
-         {&queries::exemptions::limit_made_sure,
-          "limit-made-sure",
-          "What it guards sets a variable that it asks for: it makes sure of a limit, whether that is needed "
-          "or "
-          "not.",
-          {"fanuc", R"nc(
-O9718(LEVELS, K)
-IF[#6GT5]GOTO1
-IF[#6GT10]THEN#6=10
-G90 G0 Z#6
-N1 M99
 )nc"}},
          {&queries::exemptions::jump_to_same_place,
           "jump-to-same-place",

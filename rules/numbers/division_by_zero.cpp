@@ -88,6 +88,15 @@ N20 #l2=46/#l1
 N40 M30
 END
 )nc"}},
+    .exemptions = {{&queries::exemptions::compared_before,
+                    "compared-before",
+                    "The program compares the argument before: its author has thought of other values.",
+                    {"fanuc", R"nc(
+O9702(INDEX, V PARTS)
+IF[#22EQ1]GOTO1
+G91 G0 A[360/#22]
+N1 M99
+)nc"}}},
     .alarms = {{"FANUC 16i/18i/21i", "112", "DIVIDED BY ZERO"}, {"FANUC 30i/0i-D", "112", "ZERO DIVIDE"}},
     .sources = {"CNCWIKI-MACB", "GH-ALM"},
     .check = &check,

@@ -86,6 +86,16 @@ N10 #l1=SQRT(4)
 N40 M30
 END
 )nc"}},
+    .exemptions = {{&queries::exemptions::compared_before,
+                    "compared-before",
+                    "The program compares the argument before: its author has thought of other values.",
+                    {"fanuc", R"nc(
+O9703(CAP, R W)
+IF[#23GT50.]GOTO1
+#1=SQRT[#18*#18-#23*#23]
+G90 G0 Z#1
+N1 M99
+)nc"}}},
     .alarms = {{"FANUC 16i/18i/21i", "119", "ILLEGAL ARGUMENT", false},
                {"FANUC 30i/0i-D", "119", "ARGUMENT VALUE OUT OF RANGE", false}},
     .sources = {"GH-ALM"},

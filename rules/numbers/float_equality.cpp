@@ -82,6 +82,29 @@ N60 ENDIF
 N70 M30
 END
 )nc"}},
+    .exemptions = {{&queries::exemptions::whole_number_asked_for,
+                    "asks-for-a-whole-number",
+                    "A number is compared with itself without its decimals: it asks whether it is whole.",
+                    {"fanuc", R"nc(
+O9710(GRID, X)
+#1=#24*0.3
+IF[#1EQFIX[#1]]GOTO1
+G91 G0 X#1
+N1 M99
+)nc"}},
+                   {&queries::exemptions::copy_asked_for,
+                    "asks-for-a-copy",
+                    "A block sets the one side to the other: the comparison asks whether that has happened.",
+                    {"fanuc", R"nc(
+O9710(LEVELS, I DEPTH Q STEP)
+#14=0
+N1 #14=#14+#17
+IF[#14GT#4]THEN#14=#4
+G90 G1 Z-#14 F100.
+IF[#14EQ#4]GOTO2
+GOTO1
+N2 M99
+)nc"}}},
     .sources = {"SEED-001:306-314", "HAAS-LA", "MITSU-326"},
     .check = &check,
 };

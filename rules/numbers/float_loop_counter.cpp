@@ -70,6 +70,32 @@ N50 ENDWHILE
 N60 M30
 END
 )nc"}},
+    .exemptions = {{&queries::exemptions::tolerance_in_the_bound,
+                    "tolerance-in-the-bound",
+                    "The bound adds a number smaller than a step: somebody has thought of rounding.",
+                    {"fanuc", R"nc(
+O9711(ROWS, X)
+#1=0
+WHILE[#1LE[#24+0.001]]DO1
+G90 G1 X#1 F100.
+#1=#1+0.1
+END1
+M99
+)nc"}},
+                   {&queries::exemptions::counter_held_at_a_limit,
+                    "held-at-a-limit",
+                    "The loop sets the counter to its limit when it is beyond: the last pass comes, whatever "
+                    "is rounded.",
+                    {"fanuc", R"nc(
+O9711(ROWS, X)
+#1=0
+WHILE[#1LT#24]DO1
+#1=#1+0.1
+IF[#1GT#24]THEN#1=#24
+G90 G1 X#1 F100.
+END1
+M99
+)nc"}}},
     .sources = {"SEED-001:306-314"},
     .check = &check,
 };

@@ -72,7 +72,7 @@ namespace {
 /// The assignment whose result the variable holds already; nullptr when there is none.
 const dataflow::Store* repeated(const ProgramAnalysis& analysis, const dataflow::Store& store) {
     if (!std::holds_alternative<Apply>(analysis.program().expressions[store.expression].node) ||
-        store.value.constant() || !queries::is_same_value(store.value, store.old) ||
+        !queries::is_same_value(store.value, store.old) ||
         !queries::is_of_own_variables(analysis, store.expression))
         return nullptr;
     const dataflow::Store* before = queries::store_of(analysis, store.old);

@@ -74,6 +74,15 @@ IF[#1LE0]THEN#3000=1(A MUST BE MORE THAN 0)
 G90 G0 X[#31+TAN[45]]
 M99
 )nc"}},
+    .exemptions = {{&queries::exemptions::compared_before,
+                    "compared-before",
+                    "The program compares the argument before: its author has thought of other values.",
+                    {"fanuc", R"nc(
+O9704(BEVEL, A Z)
+IF[#1EQ45]GOTO1
+G91 G1 X[#26*TAN[90-#1]] F100.
+N1 M99
+)nc"}}},
     .sources = {"CNCWIKI-MACB"},
     .check = &check,
 };

@@ -53,6 +53,39 @@ N20 M30
 N30 THN
 END
 )nc"}},
+    .exemptions =
+        {{&queries::exemptions::text_that_is_no_slip,
+          "no-slip",
+          "What cannot be read is no slip of one letter or figure: it was hardly written to run.",
+          {"fanuc", R"nc(
+O0122(PLATE)
+G90 G0 X0
+GOTO4
+SEE SHEET[4]
+N4 M30
+)nc"}},
+         {&queries::exemptions::text_left_out,
+          "left-out-on-purpose",
+          "It stands behind the end of the program, or behind a jump with a remark: somebody has taken it "
+          "out of use.",
+          {"fanuc", R"nc(
+O0122(PLATE)
+G90 G0 X0
+GOTO4(DELETE TO ENABLE)
+G1 Z[#5-1.
+N4 M30
+)nc"}},
+         {&queries::exemptions::text_that_is_prose,
+          "prose",
+          "The block neither calculates nor gives an address a number: a separator, or words for people.",
+          {"fanuc", R"nc(
+O9122(BORE, Z)
+IF[#26EQ#0]GOTO9
+G90 G0 Z#26
+M99
+N9 #3000=1(NO Z)
+GO HOME
+)nc"}}},
     .sources = {"SEED-001:642; T: no control reads on after an alarm"},
     .check = &check,
 };

@@ -66,6 +66,17 @@ IF[#5041LT5.]GOTO9
 M99
 N9 #3000=1(TOO LOW)
 )nc"}},
+    .exemptions = {{&queries::exemptions::distance_along_an_axis,
+                    "distance-along-an-axis",
+                    "Two positions of one axis are taken from each other: both are read ahead, and what is "
+                    "left is an offset.",
+                    {"fanuc", R"nc(
+O9605(SHIFT)
+G91 G1 X10. F100.
+IF[[#5021-#5041]GT1.]GOTO9
+M99
+N9 #3000=1(SHIFTED)
+)nc"}}},
     .sources = {"MAN-AINANO", "SEED-001:1373", "HAAS-LA"},
     .check = &check,
 };

@@ -55,6 +55,20 @@ G1 Z#26 F#9
 F100.
 N9 M99
 )nc"}},
+    .exemptions = {{&queries::exemptions::compared_somewhere,
+                    "compared-somewhere",
+                    "The program compares the argument somewhere, or asks whether it is there: its author "
+                    "has thought of other values.",
+                    {"fanuc", R"nc(
+O0210(PLATE)
+G65 P9210 Z-5.
+M30
+O9210(DRILL, Z R)
+IF[#18GT10.]GOTO9
+G90 G1 Z[#26+#18] F100.
+M99
+N9 #3000=1(R TOO HIGH)
+)nc"}}},
     .sources = {"SEED-001:187", "ZAPP-ARG"},
     .check = &check,
 };

@@ -76,37 +76,10 @@ N70 ENDIF
 RETURN
 END
 )nc"}},
-    .exemptions = {{&queries::exemptions::argument_in_a_remark,
-                    "named-in-a-remark",
-                    "A remark of the called program names the variable: the option is planned, or taken out "
-                    "for a while.",
-                    {"fanuc", R"nc(
-O0211(PLATE)
-G65 P9211 Z-5. Q2. F100.
-M30
-O9211(DRILL, Z F)
-G90 G1 Z#26 F#9
-(#17 = PECK, NOT YET)
-M99
-)nc"}},
-                   {&queries::exemptions::argument_in_unreached_block,
-                    "read-in-unreached-block",
-                    "A block reads the variable to which no path leads: the argument is right, and those "
-                    "blocks are what is wrong.",
-                    {"fanuc", R"nc(
-O0211(PLATE)
-G65 P9211 Z-5. Q2. F100.
-M30
-O9211(DRILL, Z Q F)
-G90 G1 Z#26 F#9
-M99
-G0 Z[#26+#17]
-M99
-)nc"}},
-                   {&queries::exemptions::program_to_be_written,
+    .exemptions = {{&queries::exemptions::program_to_be_written,
                     "program-to-be-written",
                     "The called program reads no argument at all: it stands in for one that is still to be "
-                    "written, or that the machine's maker keeps elsewhere.",
+                    "written, or for one of the machine's maker.",
                     {"fanuc", R"nc(
 O0211(PLATE)
 G65 P9211 Z-5. Q2. F100.

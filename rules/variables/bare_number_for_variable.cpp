@@ -18,7 +18,9 @@ namespace maclint::rules {
 
 namespace {
 void check(const ProgramAnalysis& analysis, Reporter& reporter);
-}
+
+constexpr Exemption meant_to_hold;
+} // namespace
 
 extern const Rule bare_number_for_variable{
     .code = "MAC229",
@@ -60,20 +62,28 @@ IF[#1000EQ1]GOTO9
 END1
 N9 M99
 )nc"}},
+    .exemptions = {{&meant_to_hold,
+                    "number-with-itself",
+                    "A number is compared with itself: the condition is meant to be always true.",
+                    {"fanuc", R"nc(
+O9229(SLOT, A)
+WHILE[1EQ1]DO1
+G91 G1 X#1 F100.
+IF[#5041GT100.]GOTO9
+END1
+N9 M99
+)nc"}}},
     .sources = {"T"},
     .check = &check,
 };
 
 namespace {
 
-/// Below it a number that a condition holds may be a count or a switch.
-constexpr double first_telling = 100;
-
-/// The whole number that the expression is.
+/// The whole number that the expression is, and that a variable can have.
 std::optional<std::int64_t> number_in(const Program& program, ExpressionId id) {
     const auto* literal = std::get_if<Literal>(&program.expressions[id].node);
     constexpr double most = 1e6;
-    if (literal == nullptr || literal->value < first_telling || literal->value > most ||
+    if (literal == nullptr || literal->value < 1 || literal->value > most ||
         literal->value != std::floor(literal->value) || literal->decimal_point)
         return std::nullopt;
     return static_cast<std::int64_t>(literal->value);
@@ -103,7 +113,7 @@ void check(const ProgramAnalysis& analysis, Reporter& reporter) {
         if (!is_literal(comparison.left_expression) || !is_literal(comparison.right_expression)) continue;
         const auto left = number_in(program, comparison.left_expression);
         const auto right = number_in(program, comparison.right_expression);
-        if (left == right) continue; // [1000EQ1000] is meant to be true
+        if (meant_to_hold.is_on() && left == right) continue; // [1000EQ1000] is meant to be true
         const std::string_view text = program.text.substr(program.span.begin, program.span.length());
         for (const auto& number : {left, right}) {
             if (!number) continue;

@@ -77,6 +77,18 @@ G0 Z#23
 M99
 N9 #3000=1(Z OR TOOL LENGTH)
 )nc"}},
+    .exemptions = {{&queries::exemptions::held_against_last_value,
+                    "held-against-the-last-value",
+                    "The limit looks at what the new value is calculated from, too: it holds this run "
+                    "against the last one.",
+                    {"fanuc", R"nc(
+O9216(GAP, X)
+IF[ABS[#100-#24]GT1.]GOTO9
+#100=#24*2
+G90 G0 X#100
+M99
+N9 #3000=1(MOVED)
+)nc"}}},
     .sources = {"SEED-002:357"},
     .check = &check,
 };

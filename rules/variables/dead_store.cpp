@@ -15,7 +15,9 @@ namespace maclint::rules {
 
 namespace {
 void check(const ProgramAnalysis& analysis, Reporter& reporter);
-}
+
+constexpr Exemption number_to_edit, last_step, same_value_again, spare_copy;
+} // namespace
 
 extern const Rule dead_store{
     .code = "MAC213",
@@ -75,6 +77,47 @@ N40 G0 X#l3 Z#l2
 N50 M30
 END
 )nc"}},
+    .exemptions = {{&number_to_edit,
+                    "number-to-edit",
+                    "Nothing but a number of the text is stored: somebody edits it, or exchanges the lines.",
+                    {"fanuc", R"nc(
+O0213(PLATE)
+#5=0.3(ROUGH)
+#5=0.1(FINISH)
+G90 G0 Z#5
+M30
+)nc"}},
+                   {&last_step,
+                    "last-step",
+                    "It is one more step of what the program has counted or added up: such rows end alike.",
+                    {"fanuc", R"nc(
+O9213(TWO HOLES, D STEP)
+#1=0
+#1=#1+#7
+G90 G0 X#1
+#1=#1+#7
+M99
+)nc"}},
+                   {&same_value_again,
+                    "same-value-again",
+                    "What replaces it is the same value: nothing is lost.",
+                    {"fanuc", R"nc(
+O9213(BORE, X)
+#5=#24*2
+G90 G0 Z50.
+#5=#24*2
+X#5
+M99
+)nc"}},
+                   {&spare_copy,
+                    "spare-copy",
+                    "It copies what stands elsewhere still: kept at hand for later, or to be seen.",
+                    {"fanuc", R"nc(
+O9213(BORE, X Z)
+#32=#24
+G90 G0 X#24 Z#26
+M99
+)nc"}}},
     .sources = {"T"},
     .check = &check,
 };
@@ -108,8 +151,9 @@ void check(const ProgramAnalysis& analysis, Reporter& reporter) {
     const Program& program = analysis.program();
     for (const queries::DeadStore& dead : queries::find_dead_stores(analysis)) {
         const bool special_case = dead.only_if && dead.read_elsewhere; // MAC214's
-        if (dead.is_setting || special_case || dead.store->step || is_only_repeated(dead) ||
-            is_spare_copy(analysis, dead))
+        if (special_case || (number_to_edit.is_on() && dead.is_setting) ||
+            (last_step.is_on() && dead.store->step) || (same_value_again.is_on() && is_only_repeated(dead)) ||
+            (spare_copy.is_on() && is_spare_copy(analysis, dead)))
             continue;
         const std::string_view message = message_for(dead);
         const Span span = program.effects[dead.store->effect].span;

@@ -57,6 +57,21 @@ G90 G1 Z#33
 END1
 M99
 )nc"}},
+    .exemptions = {{&queries::exemptions::search_in_a_table,
+                    "search-in-a-table",
+                    "Another test ends the loop at a number: it goes through a table, and asks whether it "
+                    "has found the argument.",
+                    {"fanuc", R"nc(
+O9604(FIND, T TOOL)
+#1=1
+WHILE[#1LE24]DO1
+IF[#1EQ#20]GOTO2
+#1=#1+1
+END1
+#3000=1(NO SUCH TOOL)
+N2 #100=#1
+M99
+)nc"}}},
     .sources = {"SEED-002:331"},
     .check = &check,
 };

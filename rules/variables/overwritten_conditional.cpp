@@ -69,15 +69,10 @@ END
 
 namespace {
 
-/// Vacant and 0 only clear the variable.
-bool only_clears(const dataflow::Store& store) {
-    return store.value.vacancy == dataflow::Vacancy::vacant || store.value.constant() == 0.0;
-}
-
 void check(const ProgramAnalysis& analysis, Reporter& reporter) {
     const Program& program = analysis.program();
     for (const queries::DeadStore& dead : queries::find_dead_stores(analysis)) {
-        if (!dead.only_if || !dead.read_elsewhere || only_clears(*dead.store)) continue;
+        if (!dead.only_if || !dead.read_elsewhere) continue;
         const EffectId next = dead.replaced_by.front()->effect;
         const Span span = program.effects[dead.store->effect].span;
         const Span later = program.effects[next].span;

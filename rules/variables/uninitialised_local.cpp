@@ -4,6 +4,7 @@
 #include "analyzer/dataflow/facts/read.hpp"
 #include "analyzer/dataflow/facts/store.hpp"
 #include "analyzer/queries/unset_reads.hpp"
+#include "analyzer/queries/vacant_uses.hpp"
 #include "rules/path.hpp"
 #include "rules/rule.hpp"
 #include "rules/trace.hpp"
@@ -91,6 +92,72 @@ N20 G0 X46 Z#l3
 N30 M30
 END
 )nc"}},
+    .exemptions =
+        {{&queries::exemptions::argument_of_a_series,
+          "series-of-arguments",
+          "The program reads whole sets of I, J and K, one after the other, and no caller is known: calls "
+          "that repeat these letters pass them.",
+          {"fanuc", R"nc(
+O9209(THREE HOLES, I J K REPEATED)
+G90 G0 X#4 Y#5 Z#6
+X#7 Y#8 Z#9
+X#10 Y#11 Z#12
+M99
+)nc"}},
+         {&queries::exemptions::counting_from_vacant,
+          "counts-from-vacant",
+          "The variable counts: arithmetic takes vacant for 0, and to begin there is a custom.",
+          {"fanuc", R"nc(
+O0209(ROW OF FOUR)
+N1 #33=#33+1
+G91 G0 X10.
+IF[#33LT4]GOTO1
+M30
+)nc"}},
+         {&queries::exemptions::compared_as_a_test,
+          "compared-as-a-test",
+          "It is only compared, and some paths set it: a flag, and the comparison may be the very test for "
+          "what else has happened.",
+          {"fanuc", R"nc(
+O0209(PROBE)
+IF[#1001EQ1]THEN#33=1
+IF[#33EQ1]GOTO9
+G90 G0 Z50.
+N9 M30
+)nc"}},
+         {&queries::exemptions::handed_on_without_a_value,
+          "handed-on",
+          "It is only handed on to another program, which gets a letter without a value: as good as none.",
+          {"fanuc", R"nc(
+O9209(BORE, Z)
+G65 P9853 Z#26 E#14
+M99
+)nc"}},
+         {&queries::exemptions::speed_for_some_cases,
+          "speed-for-some-cases",
+          "Conditions set it, and a block of its own takes it for the speed or the feed: in other cases that "
+          "stays as it is.",
+          {"fanuc", R"nc(
+O9209(TAP, A Z)
+IF[#1EQ1.]THEN#10=800
+S#10
+G90 G1 Z#26 F100.
+M99
+)nc"}},
+         {&queries::exemptions::word_before_an_alarm,
+          "word-before-an-alarm",
+          "A word takes it where the program can only go on to an alarm: the control ignores the word, and "
+          "stops.",
+          {"fanuc", R"nc(
+O9209(PROBE, A Z)
+IF[#1EQ#0]GOTO9
+#31=#5003
+G90 G0 Z#26
+G0 Z#31
+M99
+N9 G0 Z#31
+#3000=91(INPUT)
+)nc"}}},
     .sources = {"SEED-001:187", "ZAPP-ARG"},
     .check = &check,
 };

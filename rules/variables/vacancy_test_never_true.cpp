@@ -75,6 +75,17 @@ IF[#24EQ#0]GOTO9
 G90 G0 X#24
 N9 M99
 )nc"}},
+    .exemptions = {{&queries::exemptions::zero_made_sure,
+                    "zero-made-sure",
+                    "All that the test guards is to set the variable to 0: it makes sure, whether that is "
+                    "needed or not.",
+                    {"fanuc", R"nc(
+O9228(WEB, Z)
+#6=FUP[#26]
+IF[#6EQ#0]THEN#6=0
+G90 G0 Z#6
+M99
+)nc"}}},
     .sources = {"SEED-001:415", "MITSU-326"},
     .check = &check,
 };

@@ -77,6 +77,22 @@ TEST(Sarif, DescribesRules) {
     }
 }
 
+TEST(Sarif, ListsTheExemptionsOfRules) {
+    HandMade made("O1.nc", "O1\n");
+    const json sarif = sarif_of(made);
+    std::size_t listed = 0;
+    for (const json& rule : sarif["tool"]["driver"]["rules"]) {
+        const Rule& record = *find_rule(rule["id"].get<std::string>());
+        const json exemptions = rule["properties"].value("exemptions", json::array());
+        ASSERT_EQ(exemptions.size(), record.exemptions.size()) << rule["id"];
+        for (std::size_t i = 0; i < exemptions.size(); ++i)
+            EXPECT_EQ(exemptions[i]["name"], record.exemptions[i].name);
+        listed += exemptions.size();
+    }
+    EXPECT_EQ(listed, all_exemptions().size());
+    EXPECT_GT(listed, 0U);
+}
+
 TEST(Sarif, HeadsMessagesThatBeginDifferentlyWithTheRule) {
     HandMade made("O1.nc", "O1\nM30\n");
     made.add("M30", Severity::error); // MAC002 has "Unknown rule" and "Comment for maclint …"

@@ -42,10 +42,7 @@ TEST(UnreachedRegions, TellWhatStandsInThemAndWhy) {
     EXPECT_THAT(regions_of("O1\nGOTO9 X2.\n#1=3\nN9 M30\n"), IsEmpty()); // nor begins what follows it
 }
 
-TEST(UnreachedRegions, AreMeantWhereARemarkJumpsToThem) {
-    EXPECT_THAT(regions_of("O1\n(goto 9)\nGOTO7\nN9 X1.\nN7 M99\n"), ElementsAre("N9 X1. moves meant"));
-    EXPECT_THAT(regions_of("O1\n(goto 99)\nGOTO7\nN9 X1.\nN7 M99\n"), ElementsAre("N9 X1. moves"));
-    // Jumps are no remarks: these two lead only to each other.
+TEST(UnreachedRegions, MayJumpToEachOther) {
     EXPECT_THAT(regions_of("O1\nGOTO7\nN5 X1.\nGOTO6\nN7 Y1.\nGOTO8\nN6 X2.\nGOTO5\nN8 M30\n"),
                 ElementsAre("N5 X1. moves", "N6 X2. moves"));
 }

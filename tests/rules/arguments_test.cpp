@@ -51,12 +51,10 @@ TEST(ArgumentUnused, IsUnknownWhereTheProgramMayReadAllOfThem) {
         IsEmpty());
 }
 
-TEST(ArgumentUnused, IsMeantForAProgramThatIsNotWrittenYetOrTellsOfIt) {
+TEST(ArgumentUnused, IsMeantForAProgramThatIsNotWrittenYet) {
     EXPECT_THAT(judged("MAC211", call("X1. Z2.", "")), IsEmpty());
-    EXPECT_THAT(judged("MAC211", call("X1. Z2.", "(#26: DEPTH, LATER)\nG0 X#24\n")), IsEmpty());
-    EXPECT_THAT(lines_raised("MAC211", call("X1. Z2.", "(#260: DEPTH)\nG0 X#24\n")), ElementsAre(2));
-    // By a block that nothing leads to yet, however it is written.
-    EXPECT_THAT(judged("MAC211", call("X1. Z2.", "G0 X#24\nM99\nG0 Z# 26\n")), IsEmpty());
+    EXPECT_THAT(lines_raised("MAC211", call("X1. Z2.", "(#26: DEPTH)\nG0 X#24\n")), ElementsAre(2));
+    EXPECT_THAT(lines_raised("MAC211", call("X1. Z2.", "G0 X#24\nM99\nG0 Z#26\n")), ElementsAre(2));
     EXPECT_THAT(judged("MAC211", "O9001\nIF[#24EQ1]GOTO5\nG65 P9001 X1. Z2.\nN5 M99\n"), IsEmpty());
 }
 

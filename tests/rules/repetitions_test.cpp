@@ -128,9 +128,9 @@ TEST(MissingTolerance, IsOfComparisonsThatAskForAnOrder) {
                                     "#5221LT#26", "#3001LT#26"})
         EXPECT_THAT(compared(other), IsEmpty()) << other;
     for (const std::string tolerant :
-         {"#5003LT[#26-0.01]", "#5003LT[0.005+#26]", "#5003LT[#26+#1+0.005]", "#5003LT[#26-[#1+0.005]]"})
+         {"#5003LT[#26-0.009]", "#5003LT[0.0005+#26]", "#5003LT[#26+#1+0.005]", "#5003LT[#26-[#1+0.005]]"})
         EXPECT_THAT(compared(tolerant), IsEmpty()) << tolerant;
-    for (const std::string no_tolerance : {"#5003LT[#26-0.02]", "#5003LT[#26-0]", "#5003LT[#26*0.005]"})
+    for (const std::string no_tolerance : {"#5003LT[#26-0.01]", "#5003LT[#26-0]", "#5003LT[#26*0.005]"})
         EXPECT_THAT(compared(no_tolerance), ElementsAre(5)) << no_tolerance;
 }
 

@@ -47,18 +47,6 @@ TEST(Kind, OfAProgramWithANumberOfMacrosThatReadsArgumentsIsAMacro) {
     EXPECT_EQ(kind_of("O9993\nX#33\nM30\n"), "main");      // no letter reaches #33
 }
 
-TEST(ArgumentReads, AreTheFirstOfEachLetterBeforeAnAssignment) {
-    const auto spans = [](const std::string& text) {
-        const auto workspace = test::analyse_fanuc("O9001\n" + text);
-        const ProgramAnalysis& analysis = workspace->programs().front();
-        std::vector<std::string> found;
-        for (const ExpressionId read : argument_reads(analysis.program()))
-            found.push_back(test::text_of(analysis, analysis.program().expressions[read].span));
-        return found;
-    };
-    EXPECT_THAT(spans("X#24\nY#25\nX#24\n#26=1\nZ#26\nZ#33\nM99\n"), ElementsAre("#24", "#25"));
-}
-
 TEST(Kind, OfAProgramThatAsksWhetherAnArgumentWasPassedIsAMacro) {
     EXPECT_EQ(kind_of("O1\nIF[#24EQ#0]GOTO9\nX#24\nM30\nN9#3000=1\n"), "macro");
     EXPECT_EQ(kind_of("O1\nIF[#33EQ#0]GOTO9\nX#33\nM30\nN9#3000=1\n"), "main");
