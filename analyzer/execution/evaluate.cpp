@@ -16,6 +16,13 @@ bool is_logic(Operation operation) {
 
 } // namespace
 
+/// The value that something is done with.
+Content Stepper::take(ExpressionId id) {
+    const Content content = evaluate(id);
+    if (!done()) report(ValueTaken{id, content});
+    return content;
+}
+
 Content Stepper::evaluate(ExpressionId id) {
     if (done()) return {};
     return std::visit(overloaded{

@@ -45,6 +45,12 @@ struct Compared {
     Content left, right;
     bool truth;
 };
+/// The value of a word, an argument, an assignment, an alarm's number or what is printed; of an assignment
+/// through an index also the index.
+struct ValueTaken {
+    ExpressionId expression;
+    Content content;
+};
 /// A whole condition.
 struct Decided {
     ExpressionId condition;
@@ -95,7 +101,7 @@ struct ProgramLeft {
 
 using Event =
     std::variant<ProgramBegins, BlockBegins, EffectBegins, VariableRead, GroupRead, Applied, Compared,
-                 Decided, Stored, GroupSet, JumpComputed, CallBegins, CallEnds, ProgramLeft>;
+                 ValueTaken, Decided, Stored, GroupSet, JumpComputed, CallBegins, CallEnds, ProgramLeft>;
 
 class Stepper;
 using Observer = std::function<void(Stepper&, const Event&)>;

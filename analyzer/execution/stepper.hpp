@@ -100,6 +100,7 @@ class Stepper {
     void end_modal_call();
     void move();
 
+    Content take(ExpressionId id);
     [[nodiscard]] Content evaluate(ExpressionId id);
     [[nodiscard]] Content load(ExpressionId id, Variable variable);
     [[nodiscard]] Content load_at(ExpressionId id, const LoadAt& load);

@@ -59,6 +59,7 @@ class HeldAgainstFacts {
     void on(execution::Stepper& stepper, const execution::GroupRead& event);
     void on(execution::Stepper& stepper, const execution::Applied& event);
     void on(execution::Stepper& stepper, const execution::Compared& event);
+    void on(execution::Stepper&, const execution::ValueTaken&) {} // its parts have events of their own
     void on(execution::Stepper& stepper, const execution::Decided& event);
     void on(execution::Stepper& stepper, const execution::Stored& event);
     void on(execution::Stepper& stepper, const execution::GroupSet& event);

@@ -96,7 +96,7 @@ def misses(results, examples):
 def as_json(results, harmless, seed):
     def row(plant, verdict, codes):
         return {'class': plant.kind, 'file': str(plant.path), 'line': plant.line, 'change': plant.difference(),
-                'expected': list(KINDS[plant.kind].rules), 'verdict': verdict, 'new': codes}
+                'expected': list(KINDS[plant.kind].rules), 'verdict': verdict, 'new': codes, 'runs': plant.shown}
 
     return json.dumps({'seed': seed, 'shares': {severity: share(by_severity(results, severity)) for severity in BARS},
                        'bars': BARS, 'plants': [row(*result) for result in results],
