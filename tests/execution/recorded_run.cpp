@@ -9,28 +9,35 @@
 #include <bit>
 #include <cctype>
 #include <cmath>
+#include <cstdlib>
 
 namespace maclint::test {
 namespace {
 
 using execution::Leaving;
 
-enum Kind : std::uint64_t { plain = 1, word, codes, machine_store, call, other_effect, left };
+enum Kind : std::uint64_t { word = 1, codes, machine_store, call, other_effect };
 
-/// The words of a plain block: without comments, blanks, sequence number and '/', in capitals.
+/// What such a word does is told by what is in force at moves and at the end: a modal code, or a return.
+bool is_told_later(const ControlModel& control, std::string_view address, double value) {
+    constexpr double return_code = 99;
+    return address.size() == 1 &&
+           ((address == "M" && value == return_code) || control.group_of(address.front(), value).has_value());
+}
+
+/// The text without comments, blanks and '/', in capitals.
 std::string words_of(std::string_view text) {
     std::string words;
     int depth = 0;
     for (const char character : text) {
         depth += character == '(' ? 1 : 0;
-        if (depth == 0 && std::isspace(static_cast<unsigned char>(character)) == 0 && character != ';')
+        const bool counts =
+            std::isspace(static_cast<unsigned char>(character)) == 0 && character != ';' && character != '/';
+        if (depth == 0 && counts)
             words += static_cast<char>(std::toupper(static_cast<unsigned char>(character)));
         depth -= character == ')' && depth > 0 ? 1 : 0;
     }
-    std::size_t begin = words.starts_with('/') ? 1 : 0;
-    if (begin < words.size() && words[begin] == 'N')
-        begin = std::min(words.find_first_not_of("0123456789", begin + 1), words.size());
-    return words.substr(begin);
+    return words;
 }
 
 } // namespace
@@ -116,18 +123,28 @@ void Recorder::on(execution::Stepper& stepper, const execution::BlockBegins& eve
     if (!event.has_effects) record_plain(analysis, event.span);
 }
 
+/// Its words but the sequence number and those that set a modal group.
 void Recorder::record_plain(const ProgramAnalysis& analysis, Span span) {
-    const std::string words = words_of(analysis.program().slice(span));
-    if (words.empty()) return;
-    record({Kind::plain, mixed(words)});
-    moves_next_ = true;
+    const std::string text = words_of(analysis.program().slice(span));
+    std::size_t at = 0;
+    while (at < text.size()) {
+        const std::size_t begin = at++;
+        while (at < text.size() && std::isalpha(static_cast<unsigned char>(text[at])) == 0) ++at;
+        const std::string_view one = std::string_view(text).substr(begin, at - begin);
+        const double value = std::strtod(text.c_str() + begin + 1, nullptr);
+        if (one.front() == 'N' || is_told_later(analysis.control(), one.substr(0, 1), value)) continue;
+        record({Kind::word, mixed(one.substr(0, 1)), mixed(semantics::Content{value})});
+        moves_next_ = true;
+    }
 }
 
 /// Those with numbers; what others say is told when it is known.
 void Recorder::record_words(const Program& program, const Block& block) {
-    for (const Word& one : std::span(program.words).subspan(block.words.first, block.words.count))
-        if (const auto* literal = std::get_if<Literal>(&one.value))
+    for (const Word& one : std::span(program.words).subspan(block.words.first, block.words.count)) {
+        const auto* literal = std::get_if<Literal>(&one.value);
+        if (literal != nullptr && !is_told_later(*program.control, one.address, literal->value))
             record({Kind::word, mixed(one.address), mixed(semantics::Content{literal->value})});
+    }
 }
 
 void Recorder::record_codes(execution::Stepper& stepper) {
@@ -152,7 +169,7 @@ void Recorder::on(execution::Stepper& stepper, const execution::ValueTaken& even
     if (!stepper.effect()) return;
     const auto& what = program.effects[*stepper.effect()].what;
     if (const auto* assign = std::get_if<Assign>(&what)) return record_store(program, *assign, event);
-    if (!event.content) return;
+    if (!event.content || std::holds_alternative<SetModal>(what)) return;
     const auto& addresses = names_of(stepper.program()).addresses;
     const auto address = addresses.find(event.expression);
     record({Kind::word, address == addresses.end() ? 0 : mixed(address->second), mixed(event.content)});

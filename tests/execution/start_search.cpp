@@ -12,7 +12,7 @@ namespace {
 
 using semantics::Content;
 
-constexpr execution::Bounds bounds{.steps = 4000, .depth = 6};
+constexpr execution::Bounds of_a_run{.steps = 4000, .depth = 6};
 constexpr std::size_t most_runs = 4000, most_blocks = 1'000'000; // of a search
 /// Where a run went wrong stands near its end.
 constexpr std::size_t tail = 16;
@@ -209,7 +209,8 @@ RecordedRun StartSearch::run(const ProgramAnalysis& analysis, const ToldStart& s
     Recorder recorder(changes, moved);
     execution::Stepper stepper(
         analysis.workspace(), environment,
-        [&](execution::Stepper& at, const execution::Event& event) { recorder.observe(at, event); }, bounds);
+        [&](execution::Stepper& at, const execution::Event& event) { recorder.observe(at, event); },
+        of_a_run);
     const execution::Leaving how = stepper.run(begin);
     return recorder.finish(how);
 }

@@ -35,10 +35,10 @@ def corpora_of(root, shared):
 
 
 def chosen(plants, options):
-    """Those of a class in a file that are planted: all, or a sample of each class that depends on the seed alone."""
+    """Those of a class in a file, or in a half of the authors, that are planted: a sample that depends on the seed alone."""
     by_kind = defaultdict(list)
     for plant in plants:
-        by_kind[plant.kind, plant.path if options.each_file else ''].append(plant)
+        by_kind[plant.kind, plant.path if options.each_file else plant.half].append(plant)
     picked = []
     limit = options.each_file or options.sample
     for key, group in sorted(by_kind.items(), key=lambda item: (item[0][0], str(item[0][1]))):
@@ -71,7 +71,8 @@ def copied(path, folder):
 
 def main():
     parser = argparse.ArgumentParser(prog='./dev plant', description=__doc__.splitlines()[0])
-    parser.add_argument('--sample', type=int, default=0, metavar='N', help='no more than N places of a class')
+    parser.add_argument('--sample', type=int, default=400, metavar='N',
+                        help='no more than N places of a class in a half of the authors (default: 400; 0: all)')
     parser.add_argument('--each-file', type=int, default=0, metavar='N', help='no more than N places of a class in a file')
     parser.add_argument('--class', dest='classes', action='append', choices=KINDS, metavar='CLASS', help='only this class')
     parser.add_argument('--corpus', action='append', help='only this one: own, own-dinplus, macros, plain, dinplus')

@@ -25,6 +25,7 @@ class Plant:
     least: str = WARNING  # the least severity of a finding that counts
     complete: bool = False  # the folder is declared to hold every program of the control
     before: list = field(default_factory=list)
+    half: str = ''  # of the authors: 'tune' or 'hold'
     shown: str = ''  # what runs of both programs show
     added: dict = field(default_factory=dict)  # further programs by path
 

@@ -10,6 +10,9 @@ from .plants import KINDS
 READ_ALONE = ('spelling', 'forms', 'DIN PLUS')  # groups whose plants no control runs
 STATE = ('saved state',)  # groups whose plants are defects by what is left at the end
 SAME = 'the runs do the same'
+SAME_STATE = 'the runs leave the same modal state'
+UNREACHED = 'no path leads to it'
+SHOWN_BY_RUNS = (SAME, SAME_STATE, UNREACHED)
 
 
 class Runs:
@@ -62,9 +65,9 @@ def reason(plant, answer):
     if shown[:1] == ['unknown'] or shown[:1] == ['unknown:']:
         return ''
     if not touched:
-        return 'no path leads to it' if 'unreachable' in shown else 'a block before it cannot be read' if 'unreadable' in shown else ''
+        return UNREACHED if 'unreachable' in shown else 'a block before it cannot be read' if 'unreadable' in shown else ''
     if 2 * int(numbers['led']) < int(numbers['lines']):
         return ''  # too little of the program was run
     if KINDS[plant.kind].group in STATE and 'codes' not in shown:
-        return 'the runs leave the same modal state'
+        return SAME_STATE
     return '' if {'values', 'codes', 'variables'} & set(shown) else SAME
