@@ -16,6 +16,13 @@ bool is_logic(Operation operation) {
 
 } // namespace
 
+/// The value that something is done with.
+Content Stepper::take(ExpressionId id) {
+    const Content content = evaluate(id);
+    if (!done()) report(ValueTaken{id, content});
+    return content;
+}
+
 Content Stepper::evaluate(ExpressionId id) {
     if (done()) return {};
     return std::visit(overloaded{
@@ -28,13 +35,6 @@ Content Stepper::evaluate(ExpressionId id) {
                           [&](const auto&) { return environment_.value_of(text(), id); },
                       },
                       text().expressions[id].node);
-}
-
-/// Evaluates what leaves the program's variables.
-Content Stepper::give(ExpressionId id) {
-    const Content content = evaluate(id);
-    if (!done()) report(ValueGiven{id, content});
-    return content;
 }
 
 Content Stepper::load(ExpressionId id, Variable variable) {

@@ -45,15 +45,16 @@ struct Compared {
     Content left, right;
     bool truth;
 };
+/// The value of a word, an argument, an assignment, an alarm's number or what is printed; of an assignment
+/// through an index also the index.
+struct ValueTaken {
+    ExpressionId expression;
+    Content content;
+};
 /// A whole condition.
 struct Decided {
     ExpressionId condition;
     bool truth;
-};
-/// What a word, an argument, a variable of the machine or a printed line is given.
-struct ValueGiven {
-    ExpressionId expression;
-    Content content;
 };
 struct Stored {
     Variable variable;
@@ -100,7 +101,7 @@ struct ProgramLeft {
 
 using Event =
     std::variant<ProgramBegins, BlockBegins, EffectBegins, VariableRead, GroupRead, Applied, Compared,
-                 Decided, ValueGiven, Stored, GroupSet, JumpComputed, CallBegins, CallEnds, ProgramLeft>;
+                 ValueTaken, Decided, Stored, GroupSet, JumpComputed, CallBegins, CallEnds, ProgramLeft>;
 
 class Stepper;
 using Observer = std::function<void(Stepper&, const Event&)>;

@@ -7,6 +7,8 @@
 
 #include <algorithm>
 #include <bit>
+#include <optional>
+#include <variant>
 
 namespace maclint::execution {
 
@@ -27,6 +29,16 @@ const WordTexts::OfProgram& WordTexts::of(const Program& program) {
     return texts;
 }
 
+namespace {
+
+/// Whether the effect stores in a variable, of which there is an event of its own.
+bool is_for_variable(const Program& program, std::optional<EffectId> effect) {
+    const auto* assign = effect ? std::get_if<Assign>(&program.effects[*effect].what) : nullptr;
+    return assign != nullptr && !std::holds_alternative<StoreMachine>(assign->target);
+}
+
+} // namespace
+
 void Outputs::observe(const Stepper& stepper, const Event& event) {
     const Program& program = stepper.program().program();
     const auto note = [](std::vector<Given>& list, std::string_view what, double value) {
@@ -44,8 +56,8 @@ void Outputs::observe(const Stepper& stepper, const Event& event) {
                        if (std::holds_alternative<Exchange>(effect.what))
                            note(given_, program.slice(effect.span), 0);
                    },
-                   [&](const ValueGiven& value) {
-                       if (!value.content) return;
+                   [&](const ValueTaken& value) {
+                       if (!value.content || is_for_variable(program, stepper.effect())) return;
                        const auto& addresses = texts_->of(program).addresses;
                        const auto address = addresses.find(value.expression);
                        note(given_, address == addresses.end() ? std::string_view{} : address->second,

@@ -163,7 +163,7 @@ void Stepper::run_effect(EffectId id) {
     std::visit(overloaded{
                    [&](const Assign& what) { assign(what); }, [&](const SetModal& what) { set_modal(what); },
                    [&](const EvaluateWords& what) {
-                       for (const ExpressionId value : text().values_of(what)) give(value);
+                       for (const ExpressionId value : text().values_of(what)) take(value);
                    },
                    [&](const Motion&) { move(); }, [&](const Stop& what) { stop(id, what); },
                    [&](const RegionMark& what) { pass_mark(id, what); },
@@ -186,8 +186,7 @@ void Stepper::go_to(EffectId after) { top().at = top().layout->after(after); }
 // ---- effects
 
 void Stepper::assign(const Assign& assign) {
-    const bool is_given = std::holds_alternative<StoreMachine>(assign.target);
-    const Content content = is_given ? give(assign.value) : evaluate(assign.value);
+    const Content content = take(assign.value);
     if (done()) return;
     std::visit(overloaded{
                    [&](const Variable& variable) { store(variable, content); },
@@ -198,7 +197,7 @@ void Stepper::assign(const Assign& assign) {
 }
 
 void Stepper::store_at(const StoreAt& target, Content content) {
-    const double index = evaluate(target.index).value_or(0);
+    const double index = take(target.index).value_or(0);
     if (done()) return;
     const auto number = semantics::variable_number(index);
     const VariableRange* range = number ? control().families[target.family].find(*number) : nullptr;
@@ -214,7 +213,7 @@ void Stepper::store_at(const StoreAt& target, Content content) {
 }
 
 void Stepper::set_modal(const SetModal& set) {
-    const Content content = give(set.value);
+    const Content content = take(set.value);
     if (done() || !content) return; // a word with a vacant variable is ignored [SEED-001:187-195]
     const std::optional<GroupId> stated = set.group ? set.group : control().group_of(set.letter, *content);
     if (stated) set_group(*stated, content);
@@ -234,7 +233,7 @@ void Stepper::set_code(GroupId changed, double code) {
 }
 
 void Stepper::stop(EffectId id, const Stop& stop) {
-    if (stop.number) give(*stop.number);
+    if (stop.number) take(*stop.number);
     if (done()) return;
     switch (stop.kind) {
     case Stop::Kind::pause: return;
@@ -318,15 +317,15 @@ void Stepper::call(EffectId id, const Call& call) {
     const Program* callee =
         pending.target ? &top().analysis->workspace().programs()[*pending.target].program() : nullptr;
     for (const Argument& argument : text().arguments_of(call)) {
-        const Content content = give(argument.value);
+        const Content content = take(argument.value);
         if (const auto formal = bound_to(argument, callee)) pending.arguments.push_back({*formal, content});
     }
     if (call.repeat) {
         // A word with a vacant variable is ignored.
-        const double times = std::round(evaluate(*call.repeat).value_or(1));
+        const double times = std::round(take(*call.repeat).value_or(1));
         pending.times = static_cast<std::int64_t>(std::clamp<double>(times, 0, most_times));
     }
-    if (const auto* number = std::get_if<ExpressionId>(&call.program)) (void)evaluate(*number);
+    if (const auto* number = std::get_if<ExpressionId>(&call.program)) take(*number);
     if (done()) return;
     if (kind.trigger != CallTrigger::once) {
         end_modal_call();
@@ -365,13 +364,13 @@ void Stepper::move() {
 }
 
 void Stepper::return_to_caller(EffectId id, const Return& what) {
-    if (what.value) (void)evaluate(*what.value);
-    const Content label = what.resume_label ? evaluate(*what.resume_label) : Content{};
+    if (what.value) take(*what.value);
+    const Content label = what.resume_label ? take(*what.resume_label) : Content{};
     if (!done()) leave(Leaving::returns, id, label);
 }
 
 void Stepper::exchange(const Exchange& exchange) {
-    for (const ExpressionId out : text().values_of(exchange)) give(out);
+    for (const ExpressionId out : text().values_of(exchange)) take(out);
     if (done()) return;
     for (const Variable in : text().variables_of(exchange)) store(in, environment_.typed_in(text(), in));
 }

@@ -101,8 +101,8 @@ class Stepper {
     void end_modal_call();
     void move();
 
+    Content take(ExpressionId id);
     [[nodiscard]] Content evaluate(ExpressionId id);
-    Content give(ExpressionId id);
     [[nodiscard]] Content load(ExpressionId id, Variable variable);
     [[nodiscard]] Content load_at(ExpressionId id, const LoadAt& load);
     [[nodiscard]] Content load_group(ExpressionId id, GroupId group);

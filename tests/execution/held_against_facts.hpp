@@ -59,8 +59,8 @@ class HeldAgainstFacts {
     void on(execution::Stepper& stepper, const execution::GroupRead& event);
     void on(execution::Stepper& stepper, const execution::Applied& event);
     void on(execution::Stepper& stepper, const execution::Compared& event);
+    void on(execution::Stepper&, const execution::ValueTaken&) {} // its parts have events of their own
     void on(execution::Stepper& stepper, const execution::Decided& event);
-    static void on(execution::Stepper&, const execution::ValueGiven&) {} // claims speak of what is read
     void on(execution::Stepper& stepper, const execution::Stored& event);
     void on(execution::Stepper& stepper, const execution::GroupSet& event);
     void on(execution::Stepper& stepper, const execution::JumpComputed& event);

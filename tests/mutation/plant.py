@@ -15,6 +15,7 @@ from planting import report
 from planting.judge import Judge
 from planting.plants import KINDS
 from planting.reduce import Reducer
+from planting.runs import Runs
 from planting.workspace import Corpus
 
 REDUCED = 1  # misses of a group that are made small
@@ -22,22 +23,22 @@ ROOT = Path(__file__).resolve().parents[2]
 
 
 def corpora_of(root, shared):
-    """Our own clean programs, and the macros beside the project where they are."""
-    own = [Corpus.read(root / 'corpus' / language / 'good', name, language)
-           for language, name in (('fanuc', 'own'), ('dinplus', 'own-dinplus'))]
-    macros = shared / 'corpus' / 'fanuc-macro'
-    if not macros.is_dir():
-        print(f'plant: {macros} is not there: only the programs of corpus/ are used', file=sys.stderr)
-        return own
-    dinplus = shared / 'corpus' / 'dinplus'
-    return own + [Corpus.read(macros, 'macros', 'fanuc')] + ([Corpus.read(dinplus, 'dinplus', 'dinplus')] if dinplus.is_dir() else [])
+    """Our own clean programs, and those of others beside the project where they are."""
+    found = [Corpus.read(root / 'corpus' / language / 'good', name, language)
+             for language, name in (('fanuc', 'own'), ('dinplus', 'own-dinplus'))]
+    for folder, name, language in (('fanuc-macro', 'macros', 'fanuc'), ('fanuc-plain', 'plain', 'fanuc'), ('dinplus', 'dinplus', 'dinplus')):
+        if (shared / 'corpus' / folder).is_dir():
+            found.append(Corpus.read(shared / 'corpus' / folder, name, language))
+        elif language == 'fanuc':
+            print(f'plant: {shared / "corpus" / folder} is not there: its programs are left out', file=sys.stderr)
+    return found
 
 
 def chosen(plants, options):
-    """Those of a class in a file that are planted: all, or a sample of each class that depends on the seed alone."""
+    """Those of a class in a file, or in a half of the authors, that are planted: a sample that depends on the seed alone."""
     by_kind = defaultdict(list)
     for plant in plants:
-        by_kind[plant.kind, plant.path if options.each_file else ''].append(plant)
+        by_kind[plant.kind, plant.path if options.each_file else plant.half].append(plant)
     picked = []
     limit = options.each_file or options.sample
     for key, group in sorted(by_kind.items(), key=lambda item: (item[0][0], str(item[0][1]))):
@@ -63,16 +64,24 @@ def corpus_file(corpora, plant):
     return corpora[plant.path.parts[0]].files[Path(*plant.path.parts[1:])]
 
 
+def copied(path, folder):
+    shutil.copy2(path, folder / path.name)
+    return (folder / path.name).resolve()
+
+
 def main():
     parser = argparse.ArgumentParser(prog='./dev plant', description=__doc__.splitlines()[0])
-    parser.add_argument('--sample', type=int, default=0, metavar='N', help='no more than N places of a class')
+    parser.add_argument('--sample', type=int, default=400, metavar='N',
+                        help='no more than N places of a class in a half of the authors (default: 400; 0: all)')
     parser.add_argument('--each-file', type=int, default=0, metavar='N', help='no more than N places of a class in a file')
     parser.add_argument('--class', dest='classes', action='append', choices=KINDS, metavar='CLASS', help='only this class')
-    parser.add_argument('--corpus', action='append', help='only this one: own, own-dinplus, macros, dinplus')
+    parser.add_argument('--corpus', action='append', help='only this one: own, own-dinplus, macros, plain, dinplus')
+    parser.add_argument('--half', choices=('tune', 'hold'), help='only the programs of this half of the authors')
     parser.add_argument('--file', action='append', help='only programs with this in their path')
     parser.add_argument('--smallest', action='store_true', help='show the smallest program for each group of misses')
     parser.add_argument('--seed', type=int, default=1, help='of the samples (default: 1)')
     parser.add_argument('--maclint', type=Path, default=ROOT / 'build' / 'maclint', help='the executable (default: build/maclint)')
+    parser.add_argument('--runs', type=Path, default=ROOT / 'build' / 'maclint_runs', help='what compares runs (default: build/maclint_runs)')
     parser.add_argument('--shared', type=Path, default=ROOT.parent / 'shared', help='the folder with programs of others')
     parser.add_argument('--jobs', type=int, default=2, help='runs at a time (default: 2)')
     parser.add_argument('--output', type=Path, default=ROOT / 'build' / 'planting', help='the folder for the reports')
@@ -80,24 +89,29 @@ def main():
 
     began = time.monotonic()
     corpora = {corpus.name: corpus for corpus in corpora_of(ROOT, options.shared) if not options.corpus or corpus.name in options.corpus}
-    found = [plant for corpus in corpora.values() for path in corpus.files for plant in corpus.plants(path)
+    found = [plant for corpus in corpora.values() for path in corpus.files
+             if options.half in (None, corpus.half(path)) for plant in corpus.plants(path)
              if (not options.classes or plant.kind in options.classes)
              and (not options.file or any(part in str(plant.path) for part in options.file))]
-    harmless = [plant for plant in found if plant.harmless]
-    plants = chosen([plant for plant in found if not plant.harmless], options)
+    picked = chosen(found, options)
     options.output.mkdir(parents=True, exist_ok=True)
-    maclint = options.output / 'maclint'  # a build may replace the executable meanwhile
-    shutil.copy2(options.maclint, maclint)
-    judge = Judge(maclint.resolve(), options.output.resolve() / 'programs', options.jobs)
+    maclint, runs = (copied(path, options.output) for path in (options.maclint, options.runs))  # a build may replace them meanwhile
+    judge = Judge(maclint, options.output.resolve() / 'programs', options.jobs)
 
     def progress(done):
         if sys.stderr.isatty():
             print(f'\r{100 * done:3.0f} %', end='' if done < 1 else '\n', file=sys.stderr, flush=True)
 
+    judge.folder.mkdir(parents=True, exist_ok=True)
+    for plant, (reason, shown) in zip(picked, Runs(runs, judge.folder, options.jobs).look(corpora, picked, judge.original, progress)):
+        plant.harmless, plant.shown = reason or plant.harmless, shown
+    harmless = [plant for plant in picked if plant.harmless]
+    plants = [plant for plant in picked if not plant.harmless]
     results = [(plant, *verdict) for plant, verdict in zip(plants, judge.judge(corpora, plants, progress))]
-    examples = smallest(corpora, results, Reducer(maclint.resolve(), judge.folder)) if options.smallest else {}
+    examples = smallest(corpora, results, Reducer(maclint, judge.folder)) if options.smallest else {}
     shutil.rmtree(judge.folder, ignore_errors=True)
     maclint.unlink()
+    runs.unlink()
     text = report.markdown(results, harmless, examples, options.seed, time.monotonic() - began)
     (options.output / 'report.md').write_text(text)
     (options.output / 'report.json').write_text(report.as_json(results, harmless, options.seed))

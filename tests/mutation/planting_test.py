@@ -5,7 +5,7 @@ import unittest
 from pathlib import Path
 
 from planting import (dinplus, edit, fanuc, fanuc_calls, fanuc_conditions, fanuc_forms, fanuc_jumps, fanuc_loops, fanuc_modal,
-                      fanuc_numbers, fanuc_variables, report)
+                      fanuc_numbers, fanuc_saved, fanuc_variables, report, shows)
 from planting.callers import Callers
 from planting.judge import Judge
 from planting.plants import KINDS, Plant
@@ -102,6 +102,15 @@ class Loops(unittest.TestCase):
         self.assertEqual(planted(loops, DRILL, 'step-sign'), [(['#30=#30-1'], '')])
         self.assertEqual(planted(loops, DRILL, 'step-zero'), [(['#30=#30+0'], '')])
 
+    def test_a_step_becomes_a_fraction_where_a_limit_is_compared(self):
+        self.assertEqual(planted(loops, DRILL, 'step-fraction'), [(['#30=#30+0.2'], '')])
+        self.assertEqual(planted(loops, 'O1\nN1G0X#1\n#1=#1+1.\nIF[#1LT5]GOTO1\nM30', 'step-fraction'), [(['#1=#1+.05'], '')])
+        self.assertEqual(planted(loops, 'O1\n#1=#1+1.\nIF[#1LT5]GOTO1\nN1M30', 'step-fraction'), [])
+
+    def test_the_first_value_of_a_counter_is_removed_where_nothing_else_sets_it(self):
+        self.assertEqual(planted(loops, DRILL, 'first-value-removed'), [([''], '')])
+        self.assertEqual(planted(loops, DRILL.replace('#30', '#7'), 'first-value-removed'), [])
+
     def test_a_loop_that_is_left_otherwise_is_no_place(self):
         left = DRILL.replace('#30=#30+1', 'IF[#5001GT5]GOTO9\n#30=#30+1')
         self.assertEqual(planted(loops, left, 'step-removed'), [([''], 'the loop leaves by another jump')])
@@ -147,20 +156,14 @@ class Conditions(unittest.TestCase):
         self.assertEqual(planted(conditions, 'O1\nIF[#24EQ#0]GOTO8\nG0X#24\nM99\nN8#3000=1', 'vacancy-as-zero'),
                          [(['IF[#24EQ0]GOTO8'], '')])
 
-    def test_what_is_vacant_leaves_by_a_later_test(self):
-        refused = ['another test sends what is vacant out of the program']
-        end = 'G0X#24\nM99\nN8#3000=1'
-        self.assertEqual(self.harmless(f'O1\nIF[#24EQ#0]GOTO8\nIF[#25EQ1]GOTO8\nIF[#24LT10]GOTO8\n{end}'), refused)
-        self.assertEqual(self.harmless(f'O1\nIF[#24EQ#0]THEN#24=1.\nIF[#24LE0]THEN#3000=2\n{end}'), refused)
-        self.assertEqual(self.harmless(f'O1\nIF[#24NE#0]GOTO1\n#24=1.\nN1IF[#24LE0]GOTO8\n{end}'), refused)
-        self.assertEqual(self.harmless(f'O1\nIF[#24EQ#0]GOTO8\nIF[#24GT10]GOTO8\n{end}'), [''])
-        self.assertEqual(self.harmless(f'O1\nIF[#24EQ#0]GOTO8\nG0Y#24\nIF[#24LT10]GOTO8\n{end}'), [''])
+    def test_each_test_for_vacancy_in_a_block_is_a_place(self):
+        self.assertEqual(planted(conditions, 'O1\nIF[[#24EQ#0]OR[#0EQ#25]]GOTO8\nWHILE[#33NE#00]DO1\nEND1\nN8M99', 'vacancy-as-zero'),
+                         [(['IF[[#24EQ0]OR[#0EQ#25]]GOTO8'], ''), (['IF[[#24EQ#0]OR[0EQ#25]]GOTO8'], ''), (['WHILE[#33NE0]DO1'], '')])
 
-    def test_a_program_that_is_not_there_may_set_the_callers_locals(self):
-        calling = 'O1\nM98P7\nIF[#24EQ#0]GOTO8\nG0X[#24+1]\nM99\nN8#3000=1'
-        self.assertEqual(self.harmless(calling), ['a program that is not there and shares the locals is called before'])
-        found = [reason for kind, _, reason in fanuc_conditions.plants(program(calling), {7}) if kind == 'vacancy-as-zero']
-        self.assertEqual(found, [''])
+    def test_a_common_variable_is_a_place_where_the_program_says_that_it_can_be_vacant(self):
+        unknown = 'no local variable, and nothing but this test says that it can be vacant'
+        self.assertEqual(self.harmless('O1\nIF[#140EQ#0]GOTO8\nG0X#140\nN8M99'), [unknown])
+        self.assertEqual(self.harmless('O1\nIF[#140EQ#0]GOTO8\nG0X#140\nN8#140=#0\nM99'), [''])
 
     def test_what_stands_twice(self):
         self.assertEqual(planted(conditions, 'O1\nIF[[#1EQ0]OR[#2EQ0]]GOTO8\nN8M99', 'part-doubled'),
@@ -168,13 +171,6 @@ class Conditions(unittest.TestCase):
         self.assertEqual(planted(conditions, 'O1\nIF[#1EQ1]THEN#33=4\nIF[#1EQ2]THEN#33=5\nM99', 'case-doubled'),
                          [(['IF[#1EQ1]THEN#33=5'], '')])
         self.assertEqual(planted(conditions, 'O1\nIF[#1EQ1]THEN#33=4\nIF[#1EQ2]THEN#33=#33+5\nM99', 'case-doubled'), [])
-
-    def test_a_comparison_alone_does_not_suffer(self):
-        self.assertEqual(self.harmless('O1\nIF[#24EQ#0]GOTO8\nIF[#5063LT#24]GOTO8\nM99\nN8#3000=1'),
-                         ['nothing calculates with the variable after the test'])
-        self.assertEqual(self.harmless('O1\nIF[#24EQ#0]GOTO8\nIF[#5063LT#24/2]GOTO8\nM99\nN8#3000=1'), [''])
-        self.assertEqual(self.harmless('O1\nIF[#24EQ#0]GOTO8\nIF[#24EQ2]GOTO8\nM99\nN8#3000=1'),
-                         ['nothing calculates with the variable after the test'])
 
 
 class Numbers(unittest.TestCase):
@@ -311,6 +307,73 @@ class Modal(unittest.TestCase):
     def test_a_call_in_between_makes_a_leftover_unknown(self):
         self.assertEqual(self.plants('cancel-removed', 'O2\nG41D1\nM98P7\nG40\nM99'), [])
         self.assertEqual(self.plants('cancel-removed', 'O2\nG41D1\nG1X1.\nG40\nM99'), [([''], '')])
+
+
+class SavedState(unittest.TestCase):
+    SAVING = 'O2\n#3=#4003\n#33=#4109\nG91\nG1Z1.F100\nN5G#3F#33\nM99'
+
+    def plants(self, kind, text=SAVING):
+        return planted(fanuc_saved.plants, text, kind)
+
+    def test_a_return_goes_round_the_block_that_puts_back(self):
+        self.assertEqual(self.plants('return-early'), [(['N5M99\nG#3F#33'], '')])
+        self.assertEqual(self.plants('return-skipped'), [(['/N5M99\nG#3F#33'], '')])
+
+    def test_a_block_that_only_puts_back_is_left_out(self):
+        self.assertEqual(self.plants('restore-removed'), [(['N5'], '')])
+        self.assertEqual(self.plants('restore-removed', self.SAVING.replace('G#3', 'G#3X5.')), [])
+        self.assertEqual(self.plants('restore-removed', self.SAVING.replace('\nM99', 'M99')), [(['N5M99'], '')])
+
+    def test_a_group_that_is_only_set_to_its_customary_code_is_a_class_of_its_own(self):
+        only = 'O2\n#3=#4003\nG90\nG1Z1.\nG#3\nM99'
+        self.assertEqual(self.plants('restore-removed-customary', only), [([''], '')])
+        self.assertEqual(self.plants('restore-removed', only), [])
+
+    def test_each_saving_variable_is_exchanged(self):
+        self.assertEqual(self.plants('saved-other-group'), [(['#3=#4001'], '')])
+        self.assertEqual(self.plants('saved-wrong'), [(['#3=#4109'], ''), (['#33=#4119'], ''), (['#33=#4001'], '')])
+
+    def test_what_is_saved_and_never_put_back_is_no_place(self):
+        self.assertEqual(self.plants('saved-wrong', 'O2\n#3=#4003\nG91\nX#3\nM99'), [])
+
+    def test_incremental_is_planted_where_nothing_says_absolute_before_the_exit(self):
+        self.assertEqual(planted(lambda read: fanuc_modal.plants(read, []), 'O2\nG0X1.\nM99', 'incremental-left'), [(['G91G0X1.'], '')])
+        self.assertEqual(planted(lambda read: fanuc_modal.plants(read, []), 'O2\nG0X1.\nG90Z5.\nM99', 'incremental-left'), [])
+
+
+class Chains(unittest.TestCase):
+    @staticmethod
+    def plants(text, kind):
+        return [(edit.apply(text.split('\n'), edits), added) for name, edits, _, *added in fanuc_calls.chains(program(text), {8801})
+                if name == kind]
+
+    def test_a_chain_of_files_stands_behind_the_first_move(self):
+        [(changes, [added])] = self.plants('O1\nG90\nG0X1.\nM30', 'too-deep-macros')
+        self.assertEqual(changes, {2: 'G65P8802\nG0X1.'})
+        self.assertEqual(sorted(added), [f'O880{digit}.nc' for digit in '23456'])
+        self.assertEqual(added['O8805.nc'], '%\nO8805\nG4X.1\nG65P8806\nM99\n%\n')
+
+    def test_a_chain_may_stand_in_one_file_or_in_the_programs_own(self):
+        [(_, [added])] = self.plants('O1\nG0X1.\nM30', 'too-deep-subprograms')
+        self.assertEqual(added['O8802.nc'].count('M98P'), 10)
+        [(changes, added)] = self.plants('O1\nG90\nG21\nG0X1.\nM30', 'too-deep-macros')
+        self.assertEqual((changes[4].split('\n')[:2], added), (['M30', 'O8802'], []))
+
+
+class Lines(unittest.TestCase):
+    def test_lines_that_are_added_do_not_count(self):
+        plant = Plant('return-early', Path('own/a'), {2: 'M99\nG#3', 5: 'M30\nO2\nM99'}, before=['', ''])
+        self.assertEqual([plant.line_before(line) for line in range(1, 11)], [1, 2, 3, 3, 4, 5, 6, 6, 6, 7])
+
+    def test_a_line_shows_a_defect_that_names_what_is_changed(self):
+        lines = 'O1\n#30=1\nN5WHILE[#30LT5]DO1\n#33=2\nEND1\nG0X#33\nM30'.split('\n')
+        self.assertEqual(shows.lines_that_show(lines, {1: ''}, 'loops'), {2, 3})
+        self.assertEqual(shows.lines_that_show(lines, {4: ''}, 'loops'), {3, 5})
+        self.assertEqual(shows.lines_that_show(lines, {3: ''}, 'calls'), {4, 6, 7})
+
+    def test_modal_state_shows_at_the_exits_and_at_what_puts_back(self):
+        lines = 'O1\n#3=#4003\nG91\nG0Z1.\nG#3\nM99'.split('\n')
+        self.assertEqual(shows.lines_that_show(lines, {2: 'G90'}, 'saved state'), {3, 5, 6})
 
 
 class Forms(unittest.TestCase):

@@ -1,4 +1,4 @@
-"""Changes of blocks. A change keeps the number of lines, so that findings before and after can be compared."""
+"""Changes of blocks. Lines are only added within the text of a line: then those after it are counted without them."""
 
 
 def put(block, span, text):

@@ -36,6 +36,29 @@ def plants(program, numbers, callers):
     yield from returns_removed(program, callers)
 
 
+MOVE = re.compile(r'(?<![A-Z])[XYZ]\s*-?\s*[#\[\d.]')
+
+
+def chains(program, numbers):
+    """A call in front of a move, the first one of the program, of programs that call one another."""
+    for index, block in enumerate(program.blocks):
+        if index in program.reachable and MOVE.search(block.code) and not (block.conditional or block.is_call or block.skipped):
+            head = re.match(r'\s*(?:N\s*\d+)?', block.code)
+            for kind, call, levels in (('too-deep-macros', 'G65P', 5), ('too-deep-subprograms', 'M98P', 11)):
+                first = next(number for number in range(8801, 9999) if not numbers & set(range(number, number + levels)))
+                texts = [f'O{at}\nG4X.1\n{call}{at + 1}\nM99\n' for at in range(first, first + levels - 1)]
+                texts.append(f'O{first + levels - 1}\nG4X.1\nM99\n')
+                call = put(block, head.span(), f'{head.group().strip()}{call}{first}\n')
+                last = program.blocks[-1]
+                if block.line % 3 == 0 and last is not block:  # in the program's own file, after it
+                    yield kind, call + put(last, (len(last.code), len(last.code)), '\n' + ''.join(texts).rstrip()), ''
+                elif block.line % 3 == 1:
+                    yield kind, call, '', {f'O{first}.nc': '%\n' + ''.join(texts) + '%\n'}
+                else:
+                    yield kind, call, '', {f'O{first + at}.nc': f'%\n{text}%\n' for at, text in enumerate(texts)}
+            return
+
+
 def missing(number, numbers):
     text = str(number)
     swapped = [text[:at] + text[at + 1] + text[at] + text[at + 2:] for at in range(len(text) - 1)]

@@ -2,10 +2,11 @@
 import re
 
 from .edit import put
-from .fanuc import ALARM, ARGUMENTS, NUMBER_CALLED, OTHER_LOCALS
-from .flow import certainly_stores, live_uses, tests_vacancy, unreached, uses, variables_in
+from .fanuc import ARGUMENTS, NUMBER_CALLED, OTHER_LOCALS
+from .flow import certainly_stores, tests_vacancy, unreached, uses, variables_in
 
 VACANT = re.compile(r'\[\s*#\s*(\d+)\s*(EQ|NE)\s*(#\s*0)\s*\]')
+ANY_TEST = re.compile(r'(#\s*0+)\s*(?:EQ|NE)\s*#\s*(\d+)(?![\d.])|#\s*(\d+)\s*(?:EQ|NE)\s*(#\s*0+)(?![\d.])')
 ZERO = re.compile(r'\[\s*#\s*(\d+)\s*(EQ|NE)\s*(0\.?0*)\s*\]')
 COMPARED = re.compile(r'(?<![A-Z])(EQ|NE|GT|LT|GE|LE)(?![A-Z])')
 SYMBOLS = {'EQ': '=', 'NE': '<>', 'GT': '>', 'LT': '<', 'GE': '>=', 'LE': '<='}
@@ -57,17 +58,16 @@ def tested_elsewhere(program, index, variable):
 
 def vacancy_tests(program, numbers):
     for index, block in enumerate(program.blocks):
+        for test in ANY_TEST.finditer(block.code):
+            null, variable = (test.span(1), int(test.group(2))) if test.group(1) else (test.span(4), int(test.group(3)))
+            yield 'vacancy-as-zero', put(block, null, '0'), says_not_vacant(program, index, variable)
         test = VACANT.search(block.code)
         if not test:
             continue
         variable = int(test.group(1))
-        reason = unreached(program, index) or not_vacant(program, index, variable) or unknown_frame(program, index, numbers)
-        reason = reason or ('the variable is tested elsewhere, too' if tested_elsewhere(program, index, variable) else '')
-        used = [at for at in live_uses(program, index, variable) if calculates_with(program.blocks[at], variable)]
-        useless = '' if used else 'nothing calculates with the variable after the test'
-        useless = useless or ('another test sends what is vacant out of the program' if zero_is_refused(program, index, variable) else '')
-        yield 'vacancy-as-zero', put(block, test.span(3), '0'), reason or useless
         if test.group(2) == 'EQ' and block.jumps and block.conditional:
+            reason = unreached(program, index) or not_vacant(program, index, variable) or unknown_frame(program, index, numbers)
+            reason = reason or ('the variable is tested elsewhere, too' if tested_elsewhere(program, index, variable) else '')
             target = program.target_of(index, block.target) if block.target is not None else None
             after = program.reach([index + 1], lambda at: certainly_stores(program.blocks[at], variable)) \
                 if index + 1 < len(program.blocks) else set()
@@ -77,60 +77,11 @@ def vacancy_tests(program, numbers):
         yield 'vacancy-of-result', put(block, (test.start(1) - 1, test.end(1)), f'[#{variable}*1]'), unreached(program, index)
 
 
-def zero_is_refused(program, index, variable):
-    """Whether what is vacant, which now passes the test or jumps by it, leaves by a test after it, IF[#24LT10]GOTO8, before
-    anything calculates with it: it counts as 0 there. A jump to an alarm refuses it, too."""
-    block = program.blocks[index]
-    jumps = bool(block.jumps and VACANT.search(block.code).group(2) == 'NE')
-    if jumps and leads_to_alarm(program, index):
-        return True
-    at = program.target_of(index, block.target) if jumps and block.target is not None else index + 1
-    seen = {index}
-    while at is not None and at < len(program.blocks) and at not in seen:
-        seen.add(at)
-        block = program.blocks[at]
-        test = GUARD.search(block.code)
-        if test and int(test.group(2)) == variable and refuses_zero(test) and \
-                (leads_to_alarm(program, at) or block.target == program.blocks[index].target):
-            return True
-        if block.loop is not None or variable in block.stores or calculates_with(block, variable) or \
-                (not block.conditional and len(program.successors[at]) != 1):
-            return False
-        at = program.successors[at][0] if not block.conditional else at + 1
-    return False
-
-
-def calculates_with(block, variable):
-    """Not in a comparison, where vacant is as good as 0 or told from it, nor in a line that is printed."""
-    if not uses(block, variable) or 'DPRNT' in block.code:
-        return False
-    compared = re.compile(rf'\[\s*#\s*0*{variable}\s*(?:EQ|NE|GT|LT|GE|LE)[^\[\]]*\]|(?:EQ|NE|GT|LT|GE|LE)\s*#\s*0*{variable}\s*\]')
-    return variable in variables_in(compared.sub('', block.code))
-
-
-def refuses_zero(test):
-    """0 is on the side that leaves; EQ and NE tell vacant from 0."""
-    limit = 0.0 if '#' in test.group(4) else float(test.group(4))
-    return {'LT': 0 < limit, 'LE': 0 <= limit, 'GT': 0 > limit, 'GE': 0 >= limit}.get(test.group(3), False)
-
-
-def same_way_out(program, first, second):
-    """Both jump to one block, or both lead to an alarm."""
-    targets = [program.blocks[at].target for at in (first, second)]
-    return (targets[0] is not None and targets[0] == targets[1]) or all(leads_to_alarm(program, at) for at in (first, second))
-
-
-def leads_to_alarm(program, index):
-    """Whether the test at the index leaves by an alarm, without another decision on the way there."""
-    if ALARM.search(program.blocks[index].code):
-        return True
-    if program.blocks[index].target is None:
-        return False
-    at = program.target_of(index, program.blocks[index].target)
-    while at is not None and not ALARM.search(program.blocks[at].code):
-        following = program.successors[at]
-        at = following[0] if len(following) == 1 and following[0] > at else None
-    return at is not None
+def says_not_vacant(program, index, variable):
+    """Why nothing but this test says that the variable can be vacant; '' for locals, which are vacant until something sets them."""
+    others = any(at != index and (tests_vacancy(block, variable) or re.search(rf'#\s*0*{variable}\s*=\s*#\s*0+\s*$', block.code))
+                 for at, block in enumerate(program.blocks))
+    return '' if variable < 34 or others else 'no local variable, and nothing but this test says that it can be vacant'
 
 
 def zero_tests(program):

@@ -3,7 +3,7 @@ import re
 
 from .edit import drop, put
 from .fanuc import ALARM, DO, END, NUMBER_CALLED, OTHER_LOCALS, PROGRAM_END, STOP, WHILE
-from .flow import variables_in
+from .flow import SHARED, may_share_locals, variables_in
 
 STEP = re.compile(r'#\s*(\d+)\s*=\s*(?:#\s*\1\s*(?P<sign>[+-])\s*(?P<by>#\s*\d+|\d+\.?\d*|\.\d+)|'
                   r'(?P<front>#\s*\d+|\d+\.?\d*)\s*\+\s*#\s*\1)\s*$')
@@ -11,6 +11,7 @@ RELATION = re.compile(r'^\[\s*#\s*(\d+)\s*(LT|LE|GT|GE|NE)\s*(.*)\]$')
 UNREADABLE = re.compile(r'(?:ABS|SIN|COS|TAN|SQRT|FIX|FUP|ROUND)(?!\s*\[)')  # what a ( follows is blank here
 LEVELS = {1, 2, 3}
 UP, DOWN = {'LT', 'LE'}, {'GT', 'GE'}
+FRACTIONS = ('0.1', '0.2', '.05')
 
 
 def plants(program, numbers, callees=None):
@@ -19,6 +20,52 @@ def plants(program, numbers, callees=None):
         yield from unpaired(program, start, end)
         if program.blocks[start].loop_condition:
             yield from endless(program, start, numbers, callees or {})
+            yield from first_values(program, start)
+    yield from fractions(program)
+
+
+def fractions(program):
+    """Steps by a number of what a loop compares with LT, LE, GT or GE; it may go round by IF and GOTO."""
+    for index, block in enumerate(program.blocks):
+        step = STEP.search(block.code)
+        by = step and (step['by'] or step['front'])
+        if not step or by.startswith('#') or block.conditional or block.skipped or block.stores != [int(step.group(1))]:
+            continue
+        compares = re.compile(rf'#\s*0*{step.group(1)}\s*(?:LT|LE|GT|GE)(?![A-Z])|(?:LT|LE|GT|GE)\s*#\s*0*{step.group(1)}(?![\d.])')
+        if any(compares.search(condition) for condition in conditions_around(program, index)):
+            group = 'by' if step['by'] else 'front'
+            yield 'step-fraction', put(block, step.span(group), FRACTIONS[block.line % len(FRACTIONS)]), ''
+
+
+def conditions_around(program, index):
+    """The conditions by which the loops around a block go round."""
+    for start, end in program.loops():
+        if start < index < end:
+            yield program.blocks[start].loop_condition
+    for at in range(index, len(program.blocks)):
+        block = program.blocks[at]
+        target = program.target_of(at, block.target) if block.conditional and block.target is not None else None
+        if target is not None and target <= index:
+            yield block.code
+
+
+def first_values(program, start):
+    """The last assignment before the loop of what its condition compares, where nothing else has set that."""
+    relation = RELATION.match(program.blocks[start].loop_condition.strip())
+    if not relation:
+        return
+    counter = int(relation.group(1))
+    if counter not in (OTHER_LOCALS if program.returns else range(1, 34)) or \
+            not any(counter in program.blocks[index].stores for index in program.body(start)):
+        return
+    for index in range(start - 1, -1, -1):
+        block = program.blocks[index]
+        if block.jumps or block.loop is not None or block.end is not None or block.is_call:
+            return
+        if counter in block.stores:
+            if len(block.stores) == 1 and not block.conditional and not block.skipped:
+                yield 'first-value-removed', drop(block), SHARED if may_share_locals(program) else ''
+            return
 
 
 def unpaired(program, start, end):
@@ -150,8 +197,6 @@ def literal_steps(block, step, relation, by, reason, alarm):
         yield 'step-sign', put(block, step.span('sign'), turned), doubt
     digits = step.span('by') if step['by'] else step.span('front')
     yield 'step-zero', put(block, digits, '0'), reason
-    if by == 1 and re.fullmatch(r'\d+\.?', limit) and float(limit) > 1:
-        yield 'step-tenth', put(block, digits, '0.1'), reason and 'the loop may end otherwise'
 
 
 def unguarded_step(program, variable, start, reason):

@@ -21,8 +21,10 @@ def word(letter, value):
 def plants(program, lines):
     taken = set()
     for saved in saves(program):
-        yield from wrongly_saved(program, lines, saved)
+        index, _, source, back = saved
+        yield from saved_late(program, lines, index, source, back)
         yield from saved_lost(program, saved, taken)
+    yield from incremental(program)
     for variable, codes, customary in MODES:
         yield from modes_left(program, variable, codes, customary)
         yield from conflicts(program, codes)
@@ -72,13 +74,20 @@ def saves(program):
             yield index, variable, source, back[-1]
 
 
-def wrongly_saved(program, lines, saved):
-    index, _, source, back = saved
-    block = program.blocks[index]
-    at = block.code.rindex(source)
-    wrong = {'4109': '4119', '4119': '4109'}.get(source, '4109')
-    yield 'saved-wrong', put(block, (at, at + 4), wrong), ''
-    yield from saved_late(program, lines, index, source, back)
+def incremental(program):
+    """G91 in front of a move, from which a path leads to an exit where nothing says G90 or puts back what was saved."""
+    anew = re.compile(r'G\s*(?:9[01]|\[|#)(?![\d.])')
+    moves = re.compile(r'(?<![A-Z])[XYZ]\s*(?:-?\s*[\d.]+|[-#\[])')
+    if not program.is_macro or is_lathe(program):
+        return
+    for index, block in enumerate(program.blocks):
+        if index not in program.reachable or block.is_call or block.conditional or block.stores or anew.search(block.code) or \
+                not moves.search(block.code) or re.search(r'G\s*0*(?:4|10|28|30|5[0-9]|92|65|66|68|8\d)(?![\d])', block.code):
+            continue
+        following = program.reach([index], lambda at: anew.search(program.blocks[at].code) or program.blocks[at].is_call)
+        if any(RETURN.search(program.blocks[at].code) and not anew.search(program.blocks[at].code) for at in following):
+            head = re.match(r'\s*/?\s*(?:N\s*\d+)?\s*', block.code).end()
+            yield 'incremental-left', put(block, (head, head), 'G91'), ''
 
 
 def saved_lost(program, saved, taken):

@@ -3,7 +3,7 @@ import re
 
 from .edit import put
 from .fanuc import ARGUMENTS, OTHER_LOCALS, STORE, VARIABLE
-from .flow import live_uses, may_share_locals, tests_vacancy, unreached, uses, vacant_uses, variables_in
+from .flow import SHARED, live_uses, may_share_locals, tests_vacancy, unreached, uses, vacant_uses, variables_in
 
 
 def plants(program):
@@ -42,7 +42,6 @@ def removed_assignments(program):
         yield kind, put(block, (begin, len(block.code.rstrip())), ''), reason
 
 
-SHARED = 'the program takes no argument: M98 may call it, and its caller may have set the variable'
 ONE_OF_MANY = 'another assignment comes before every use'
 
 

@@ -21,6 +21,9 @@ def reads_arguments(program):
     return False
 
 
+SHARED = 'the program takes no argument: M98 may call it, and its caller may have set the variable'
+
+
 def may_share_locals(program):
     """Without arguments a program that returns may be called by M98, and see what its caller has set."""
     return program.returns and not reads_arguments(program)

@@ -9,6 +9,7 @@ from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
 from .plants import KINDS, RANK
+from .shows import is_shown_elsewhere
 
 SIZE = 100  # programs in one run
 
@@ -44,13 +45,12 @@ class Judge:
             corpus, path = corpora[plant.path.parts[0]], Path(*plant.path.parts[1:])
             home = folder / f'm{index:04}'
             self.lay_out(corpus, path, home, complete)
-            lines = list(corpus.files[path].lines)
-            for line, text in plant.changes.items():
-                lines[line] = text
             (home / path).unlink()
-            (home / path).write_bytes('\n'.join(lines).encode('latin-1'))
-        findings, skipped = self.run(folder, [f'm{index:04}/{Path(*plant.path.parts[1:])}' for index, plant in enumerate(batch)],
-                                     complete)
+            (home / path).write_bytes(plant.text(corpus.files[path].lines).encode('latin-1'))
+            for name, text in plant.added.items():
+                (home / name).write_text(text)
+        findings, skipped = self.run(folder, [f'm{index:04}/{path}' for index, plant in enumerate(batch)
+                                              for path in [Path(*plant.path.parts[1:]), *plant.added]], complete)
         shutil.rmtree(folder)
         return [self.verdict(corpora, plant, findings.get(f'm{index:04}', []), f'm{index:04}/{Path(*plant.path.parts[1:])}' in skipped)
                 for index, plant in enumerate(batch)]
@@ -105,19 +105,39 @@ class Judge:
         if skipped:
             return 'not linted', []
         kind, path = KINDS[plant.kind], str(Path(*plant.path.parts[1:]))
+        corpus = corpora[plant.path.parts[0]]
         known = Counter(place for found in self.before(corpora, plant) for place in places(*found))
         if any(code in kind.rules and file == path and line - 1 in plant.changes for code, file, line in known):
             return 'known before', []
-        new = [(file, finding) for file, finding in findings if Counter(places(file, finding)) - known]
+        new = [(file, finding) for file, finding in findings if Counter(places(file, finding, plant)) - known]
         codes = [f"{finding['code']} {finding['severity']} line {finding['range']['start']['line']}" for _, finding in new]
-        wanted = [finding for _, finding in new if finding['code'] in kind.rules]
+        shown = corpus.shown(plant)
+        wanted = [finding for file, finding in new if finding['code'] in kind.rules
+                  and any(self.is_shown(corpus, plant, shown, place) for place in places(file, finding, plant))]
         if any(RANK[finding['severity']] >= RANK[plant.least] for finding in wanted):
             return 'found', codes
         return ('only a note' if wanted else 'missed'), codes
 
+    @staticmethod
+    def is_shown(corpus, plant, shown, place):
+        """Whether the defect shows at the place of a finding."""
+        _, file, line = place
+        if file == str(Path(*plant.path.parts[1:])):
+            return shown is None or line in shown
+        if Path(file) in plant.added or shown is None:
+            return True
+        lines = corpus.files[Path(file)].lines
+        return line <= len(lines) and is_shown_elsewhere(lines[line - 1], KINDS[plant.kind].group)
 
-def places(path, finding):
-    """Where a finding speaks of a defect: its own place and the others that it names."""
-    yield finding['code'], path, finding['range']['start']['line']
+
+def places(path, finding, plant=None):
+    """Where a finding speaks of a defect: its own place and the others that it names; lines are those of the unchanged
+    program."""
+    yield finding['code'], path, line_before(plant, path, finding['range']['start']['line'])
     for other in finding['related']:
-        yield finding['code'], other['file'].partition('/')[2], other['range']['start']['line']
+        file = other['file'].partition('/')[2]
+        yield finding['code'], file, line_before(plant, file, other['range']['start']['line'])
+
+
+def line_before(plant, path, line):
+    return plant.line_before(line) if plant and path == str(Path(*plant.path.parts[1:])) else line

@@ -25,19 +25,41 @@ class Plant:
     least: str = WARNING  # the least severity of a finding that counts
     complete: bool = False  # the folder is declared to hold every program of the control
     before: list = field(default_factory=list)
+    half: str = ''  # of the authors: 'tune' or 'hold'
+    shown: str = ''  # what runs of both programs show
+    added: dict = field(default_factory=dict)  # further programs by path
+
 
     @property
     def line(self):
         return min(self.changes) + 1
 
+    def text(self, lines):
+        """The changed program, of the unchanged lines."""
+        return '\n'.join(self.changes.get(number, line) for number, line in enumerate(lines))
+
+    def line_before(self, line):
+        """The line of the unchanged program for one of the changed program, from 1 on."""
+        added = 0
+        for number, text in sorted(self.changes.items()):
+            added += min(text.count('\n'), max(line - added - number - 1, 0))
+        return line - added
+
     def difference(self):
         return [mark + text.strip() for number, old in zip(sorted(self.changes), self.before)
-                for mark, text in (('- ', old), ('+ ', self.changes[number])) if text.strip()]
+                for mark, text in (('- ', old), ('+ ', shortened(self.changes[number]))) if text.strip()]
+
+
+def shortened(text):
+    lines = text.strip().split('\n')
+    return ' / '.join(lines[:3]) + (' …' if len(lines) > 3 else '')
 
 
 def table(group, severity, rows):
     return [Kind(name, group, tuple(rules.split()), severity, what) for name, rules, what in rows]
 
+
+LEFT = 'MAC501 MAC503 MAC504 MAC507 MAC516 MAC518'  # what a program leaves that it should put back
 
 KINDS = {kind.name: kind for kind in [
     *table('jumps', ERROR, [
@@ -63,11 +85,12 @@ KINDS = {kind.name: kind for kind in [
     *table('loops', WARNING, [
         ('step-sign', 'MAC320 MAC319', 'the step goes the other way'),
         ('step-zero', 'MAC320 MAC319', 'the step is 0'),
-        ('step-tenth', 'MAC711', 'a step of 0.1 up to a whole number'),
+        ('step-fraction', 'MAC711', 'a step of 0.1, 0.2 or .05 up or down to a limit (LT, LE, GT, GE)'),
+        ('first-value-removed', 'MAC209', 'the assignment that gives the counter of a loop its first value is gone'),
         ('step-guard-removed', 'MAC320', 'an argument is a step, and nothing asks any more whether it is 0'),
     ]),
     *table('conditions', WARNING, [
-        ('vacancy-as-zero', 'MAC220', 'EQ 0 where EQ #0 was'),
+        ('vacancy-as-zero', 'MAC220', '0 where #0 was in a test for vacancy'),
         ('zero-as-vacancy', 'MAC228', 'EQ #0 where EQ 0 was, on a variable that is set'),
         ('guard-inverted', 'MAC209 MAC220 MAC718 MAC228', 'NE #0 where EQ #0 was: on it goes with the vacant variable'),
         ('guard-repeated', 'MAC718', 'a guard tests what the guard before it has tested'),
@@ -96,10 +119,21 @@ KINDS = {kind.name: kind for kind in [
     *table('numbers', WARNING, [
         ('tangent-right-angle', 'MAC704', 'TAN[90.]'),
     ]),
+    *table('saved state', WARNING, [
+        ('return-early', f'{LEFT} MAC502', 'M99 in front of the block that puts back what was saved'),
+        ('return-skipped', f'{LEFT} MAC502', '/M99 in front of the block that puts back what was saved'),
+        ('restore-removed', f'{LEFT} MAC502', 'the block that puts back what was saved is gone'),
+        ('restore-removed-customary', LEFT, 'the same of a group that the program only sets to its customary code'),
+        ('saved-other-group', f'MAC505 {LEFT}', 'a motion code is saved from #4003, and so on: the copy is put back as another group'),
+    ]),
+    *table('saved state', ERROR, [
+        ('saved-wrong', f'MAC505 MAC574 {LEFT}', 'the feed is saved from #4119 or #4001, the mode from #4109'),
+    ]),
     *table('modal', WARNING, [
-        ('mode-left', 'MAC501', 'the G code that puts a modal group back is gone'),
-        ('feed-left', 'MAC503', 'the F word that puts the feed back is gone'),
-        ('speed-left', 'MAC503', 'the S word that puts the speed back is gone'),
+        ('incremental-left', 'MAC501', 'G91 in front of a move of a called program, and nothing puts G90 back'),
+        ('mode-left', LEFT, 'the G code that puts a modal group back is gone'),
+        ('feed-left', LEFT, 'the F word that puts the feed back is gone'),
+        ('speed-left', LEFT, 'the S word that puts the speed back is gone'),
         ('saved-late', 'MAC517', 'the mode is saved after the block that changes it'),
         ('saved-lost', 'MAC506 MAC209 MAC319', 'the variable with the saved mode is used for something else before it is put back'),
         ('cancel-removed', 'MAC502 MAC501 MAC413', 'G40, G69, G50.1, G15, G50 or G67 is gone'),
@@ -107,12 +141,11 @@ KINDS = {kind.name: kind for kind in [
         ('group-conflict', 'MAC514', 'G90 and G91, or G17 and G18, in one block'),
         ('address-twice', 'MAC559', 'Y is written X'),
     ]),
-    *table('modal', ERROR, [
-        ('saved-wrong', 'MAC505 MAC574', 'the feed is saved from #4119, the mode from #4109'),
-    ]),
     *table('calls', ERROR, [
         ('program-missing', 'MAC402', 'a call of a program that is not there'),
         ('recursion', 'MAC412 MAC410 MAC411', 'a program calls itself'),
+        ('too-deep-macros', 'MAC410', 'a call of a macro that calls another one, and so on, five levels deep'),
+        ('too-deep-subprograms', 'MAC411', 'the same of subprograms, eleven levels deep'),
         ('call-without-number', 'MAC401', 'P is gone'),
         ('return-removed', 'MAC456', 'M99 is gone'),
         ('alarm-removed', 'MAC456', 'the alarm at the end is gone, and the control runs on over the end'),

@@ -3,9 +3,13 @@ import json
 from collections import Counter, defaultdict
 
 from .plants import ERROR, KINDS, WARNING
+from .runs import SHOWN_BY_RUNS
 
 BARS = {ERROR: 0.995, WARNING: 0.95}
+STATE, STATE_BAR = 'saved state', 0.9  # a group of classes with a bar of its own, beside those of the severities
+MOST_LEFT_OUT = 0.25  # of a class, without what the runs show to be the same
 JUDGED = ('found', 'only a note', 'missed')
+HOLD = 'hold'
 
 
 def share(results):
@@ -13,21 +17,46 @@ def share(results):
     return judged.count('found') / len(judged) if judged else 1.0
 
 
+def counted(results):
+    """Those of the half that nobody has tuned on, where there are any."""
+    return [result for result in results if result[0].half == HOLD] or results
+
+
 def by_severity(results, severity):
     return [result for result in results if KINDS[result[0].kind].severity == severity]
 
 
+def of_state(results):
+    return [result for result in results if KINDS[result[0].kind].group == STATE]
+
+
 def percent(results):
-    return f'{100 * share(results):.1f} %' if results else '-'
+    return f'{100 * share(results):.1f} %' if any(verdict in JUDGED for _, verdict, _ in results) else '-'
+
+
+def bars(results):
+    """(what is counted, results, bar) of the half that counts."""
+    chosen = counted(results)
+    yield from ((f'{severity}s', by_severity(chosen, severity), bar) for severity, bar in BARS.items())
+    yield STATE, of_state(chosen), STATE_BAR
 
 
 def summary(results):
-    return '; '.join(f'{severity}s: {percent(chosen)} of {sum(v in JUDGED for _, v, _ in chosen)} places found (bar: {100 * bar:g} %)'
-                     for severity, bar in BARS.items() for chosen in [by_severity(results, severity)])
+    halves = {result[0].half for result in counted(results)}
+    text = '; '.join(f'{name}: {percent(chosen)} of {sum(v in JUDGED for _, v, _ in chosen)} places found (bar: {100 * bar:g} %)'
+                     for name, chosen, bar in bars(results))
+    return f'Half {", ".join(sorted(halves))}: {text}' if halves and halves != {''} else text
 
 
 def passes(results):
-    return all(share(by_severity(results, severity)) >= bar for severity, bar in BARS.items())
+    return all(share(chosen) >= bar for _, chosen, bar in bars(results))
+
+
+def left_out_share(results, harmless):
+    """By class how much of it is left out for another reason than that the runs do the same."""
+    other = Counter(plant.kind for plant in harmless if plant.harmless not in SHOWN_BY_RUNS)
+    kept = Counter(plant.kind for plant, _, _ in results)
+    return {kind: count / (count + kept[kind]) for kind, count in other.items()}
 
 
 def cause_of(plant, verdict, codes):
@@ -38,18 +67,25 @@ def cause_of(plant, verdict, codes):
 
 def markdown(results, harmless, examples, seed, seconds):
     lines = ['# Planted defects', '', f'Seed {seed}, {seconds:.0f} s. {summary(results)}.', '',
-             '| class | severity | places | found | a note only | missed | share | harmless | rules |',
-             '|---|---|---|---|---|---|---|---|---|']
-    left_out = Counter(plant.kind for plant in harmless)
+             '| class | severity | places | found | a note only | missed | share | tune | hold | the same | left out | rules |',
+             '|---|---|---|---|---|---|---|---|---|---|---|---|']
+    same = Counter(plant.kind for plant in harmless if plant.harmless in SHOWN_BY_RUNS)
+    other = Counter(plant.kind for plant in harmless) - same
     for name, kind in KINDS.items():
         own = [result for result in results if result[0].kind == name]
         counts = Counter(verdict for _, verdict, _ in own)
-        if own or left_out[name]:
-            cells = [name, kind.severity, sum(counts[v] for v in JUDGED), *(counts[v] for v in JUDGED), percent(own), left_out[name],
-                     ' '.join(kind.rules)]
+        if own or same[name] or other[name]:
+            halves = [percent([result for result in own if result[0].half == half]) for half in ('tune', HOLD)]
+            cells = [name, kind.severity, sum(counts[v] for v in JUDGED), *(counts[v] for v in JUDGED), percent(own), *halves,
+                     same[name], other[name], ' '.join(kind.rules)]
             lines.append(f'| {" | ".join(map(str, cells))} |')
+    for group in (*BARS, STATE):
+        chosen = of_state(results) if group == STATE else by_severity(results, group)
+        lines.append(f'| all: {group} | | {sum(v in JUDGED for _, v, _ in chosen)} | | | | {percent(chosen)} | '
+                     f'{percent([r for r in chosen if r[0].half == "tune"])} | {percent([r for r in chosen if r[0].half == HOLD])} | | | |')
     lines += rules_table(results)
-    lines += ['', '## Left out as harmless', '']
+    shares = {kind: part for kind, part in left_out_share(results, harmless).items() if part > MOST_LEFT_OUT}
+    lines += ['', '## Left out', ''] + [f'More than a quarter of {kind}: {100 * part:.0f} %.' for kind, part in sorted(shares.items())] + ['']
     reasons = Counter((plant.kind, plant.harmless) for plant in harmless)
     lines += [f'- {kind}: {count} × {reason}' for (kind, reason), count in sorted(reasons.items())]
     other = Counter(verdict for _, verdict, _ in results if verdict not in JUDGED)
@@ -95,8 +131,8 @@ def misses(results, examples):
 
 def as_json(results, harmless, seed):
     def row(plant, verdict, codes):
-        return {'class': plant.kind, 'file': str(plant.path), 'line': plant.line, 'change': plant.difference(),
-                'expected': list(KINDS[plant.kind].rules), 'verdict': verdict, 'new': codes}
+        return {'class': plant.kind, 'half': plant.half, 'file': str(plant.path), 'line': plant.line, 'change': plant.difference(),
+                'expected': list(KINDS[plant.kind].rules), 'verdict': verdict, 'new': codes, 'runs': plant.shown}
 
     return json.dumps({'seed': seed, 'shares': {severity: share(by_severity(results, severity)) for severity in BARS},
                        'bars': BARS, 'plants': [row(*result) for result in results],

@@ -1,15 +1,18 @@
 """The programs that defects are planted in, with those that they call or are called by."""
+import hashlib
 import re
 from collections import defaultdict
 from dataclasses import dataclass
 from pathlib import Path
 
 from . import (dinplus, edit, fanuc, fanuc_calls, fanuc_conditions, fanuc_forms, fanuc_jumps, fanuc_loops, fanuc_modal,
-               fanuc_numbers, fanuc_variables, spelling)
+               fanuc_numbers, fanuc_saved, fanuc_variables, spelling)
 from .callers import NEEDS, Callers
-from .plants import NOTE, WARNING, Plant
+from .plants import KINDS, NOTE, WARNING, Plant
+from .shows import lines_that_show
 
 USUAL = {'.nc', '.ncs', '.cnc', '.tap', '.ncc', '.txt', '.gcode', '.ncf', ''}
+LARGEST = 200_000  # bytes; what is larger is moves
 CALLED_BY_NAME = re.compile(r'L\s*"([^"]+)"')
 
 
@@ -33,7 +36,8 @@ class Corpus:
 
     @classmethod
     def read(cls, root, name, language):
-        paths = sorted(path for path in root.rglob('*') if path.is_file() and path.suffix.lower() in USUAL)
+        paths = sorted(path for path in root.rglob('*')
+                       if path.is_file() and path.suffix.lower() in USUAL and path.stat().st_size <= LARGEST)
         return cls(name, language, [File(path.relative_to(root), path.read_bytes().decode('latin-1')) for path in paths])
 
     def connect(self):
@@ -49,6 +53,13 @@ class Corpus:
                     called[path].add(home)
                     callers[home].add(path)
         return {path: sorted(reached(path, called) | reached(path, callers)) for path in self.files}
+
+    def half(self, path):
+        """'tune' or 'hold', by the author: the folder is named OWNER__REPOSITORY. Of unknown authors, and of us, each program
+        is taken for one."""
+        owner = path.parts[0].partition('__')[0].lower() if len(path.parts) > 1 else 'unknown'
+        name = path.name if owner == 'unknown' else owner
+        return ('hold', 'tune')[hashlib.sha256(name.encode()).digest()[0] & 1]
 
     def repository(self, path):
         return path.parts[0] if len(path.parts) > 1 else ''
@@ -80,20 +91,28 @@ class Corpus:
         for program in fanuc.programs_of(lines, path.parent):
             found = [*fanuc_jumps.plants(program), *fanuc_loops.plants(program, numbers, callers.by_number),
                      *fanuc_conditions.plants(program, numbers), *fanuc_variables.plants(program), *fanuc_numbers.plants(program),
-                     *fanuc_modal.plants(program, lines), *fanuc_calls.plants(program, numbers, callers),
+                     *fanuc_modal.plants(program, lines), *fanuc_saved.plants(program), *fanuc_calls.plants(program, numbers, callers),
+                     *fanuc_calls.chains(program, numbers),
                      *spelling.plants(program, lines), *fanuc_forms.plants(program, lines)]
-            for kind, edits, harmless in found:
+            for kind, edits, harmless, *added in found:
                 if kind in NEEDS and not harmless and callers.none_is_hurt(kind, program.number):
                     harmless = 'its callers say the mode anew before they need it'
-                yield self.planted(kind, path, lines, edits, harmless)
+                yield self.planted(kind, path, lines, edits, harmless, *added)
 
-    def planted(self, kind, path, lines, edits, harmless):
+    def planted(self, kind, path, lines, edits, harmless, added=None):
         changes = edit.apply(lines, edits)
         if all(changes[line] == lines[line] for line in changes):
             harmless = 'nothing changes'
         least = NOTE if kind in ('label-doubled', 'zero-as-vacancy', 'feed-left', 'speed-left') else WARNING
+        home = path.parent
         return Plant(kind, Path(self.name) / path, changes, harmless, least, kind.endswith('program-missing'),
-                     [lines[line] for line in sorted(changes)])
+                     [lines[line] for line in sorted(changes)], self.half(path), added={home / name: text for name, text in (added or {}).items()})
+
+    def shown(self, plant):
+        """Lines of the plant's program that show the defect, from 1 on; nothing: each of them."""
+        if self.language == 'dinplus':
+            return None
+        return lines_that_show(self.files[Path(*plant.path.parts[1:])].lines, plant.changes, KINDS[plant.kind].group)
 
 
 def reached(start, links):
