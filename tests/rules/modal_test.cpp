@@ -48,6 +48,65 @@ TEST(HandedModes, AreNotReportedWhereEveryCallerCancelsThem) {
     EXPECT_THAT(raised("G1Y20.F300\nG40X0\nM30\nO2\nM98P8\nX1\n"), ElementsAre(2)); // another caller does not
 }
 
+/// The rules that speak of a state which the program keeps, with their lines.
+std::string of_kept(const std::string& body) {
+    std::string found;
+    for (const char* code : {"MAC501", "MAC503", "MAC504", "MAC507", "MAC519"})
+        for (const std::uint32_t line : lines_raised(code, "O9001\n" + body))
+            found += (found.empty() ? "" : " ") + std::string(code) + ":" + std::to_string(line);
+    return found;
+}
+
+TEST(KeptState, IsPutBackOnEveryPathOrReportedWithoutAnyCaller) {
+    const auto behind = [](const std::string& rest) { return of_kept("#31=#4003\nG90X5.\n" + rest); };
+    EXPECT_EQ(behind("G#31\nM99\n"), "");
+    EXPECT_EQ(behind("IF[#1EQ1.]GOTO9\nG#31\nN9M99\n"), "MAC501:3");
+    EXPECT_EQ(behind("IF[#1EQ1.]GOTO8\nM99\nN8G#31\nM99\n"), "MAC501:3");
+    EXPECT_EQ(behind("/G#31\nM99\n"), "MAC501:3");
+    EXPECT_EQ(behind("M99\n"), "MAC507:3");
+    EXPECT_EQ(behind("G#31\nM30\n"), ""); // its exits are no returns
+    // Nothing is changed on the path without the word.
+    EXPECT_EQ(of_kept("#31=#4003\nIF[#1EQ1.]GOTO9\nG90X5.\nG#31\nN9M99\n"), "");
+}
+
+TEST(KeptState, MayBeAnyGroupThatACallerHas) {
+    const auto kept = [](const std::string& variable, const std::string& change, const std::string& back) {
+        const std::string begin = "#31=" + variable + "\n" + change + "\n";
+        return of_kept(begin + "IF[#1EQ1.]GOTO9\n" + back + "\nN9M99\n") + " " + of_kept(begin + "M99\n");
+    };
+    EXPECT_EQ(kept("#4001", "G0X5.", "G#31"), "MAC504:3 MAC507:3");
+    EXPECT_EQ(kept("#4002", "G18X5.", "G#31"), "MAC501:3 MAC501:3 MAC507:3"); // MAC507 yields
+    EXPECT_EQ(kept("#4002", "G17X5.", "G#31"), "MAC501:3 MAC507:3");
+    EXPECT_EQ(kept("#4006", "G20X5.", "G#31"), "MAC501:3 MAC507:3");
+    EXPECT_EQ(kept("#4010", "G98X5.", "G#31"), "MAC501:3 MAC507:3");
+    EXPECT_EQ(kept("#4008", "G49X5.", "G#31"), "MAC519:3 MAC507:3");
+    EXPECT_EQ(kept("#4109", "F50", "F#31"), "MAC503:3 MAC507:3");
+    EXPECT_EQ(kept("#4119", "S50", "S#31"), "MAC503:3 MAC507:3");
+}
+
+TEST(KeptState, IsNoneThatIsReadForSomethingElseOrThatOthersMayPutBack) {
+    EXPECT_EQ(of_kept("#31=#4006\nIF[#31EQ20]THEN#1=#1*25.4\nG21X#1\nM99\n"), "");
+    EXPECT_EQ(of_kept("#500=#4003\nG90X5.\nM99\n"), "");
+    EXPECT_EQ(of_kept("#31=#4003\nG90X5.\nG65P9002A#31\nM99\n"), "");
+    EXPECT_EQ(of_kept("#31=#4003\n#500=#31\nG90X5.\nM99\n"), "");
+    // Saved after the change it is the program's own, which MAC517 tells.
+    EXPECT_EQ(of_kept("G90X5.\n#31=#4003\nG91Y5.\nG#31\nM99\n"), "");
+}
+
+TEST(Restore, OfAnotherGroupThanWasChangedIsReported) {
+    const auto said = [](const std::string& body) { return judged("MAC505", "O9001\n" + body + "M99\n"); };
+    EXPECT_THAT(said("#31=#4003\n#32=#4003\nG91G1X5.F9\nG#31\nG#32\n"), ElementsAre("warning 3"));
+    EXPECT_THAT(said("#31=#4001\n#32=#4003\nG91G1X5.F9\nG#31\nG#32\n"), IsEmpty());
+    EXPECT_THAT(said("#31=#4003\nG91X5.\nG90G#31X6.\n"), ElementsAre("warning 4"));
+    EXPECT_THAT(said("#31=#4003\nG1X5.F9\nG#31\n"), ElementsAre("warning 4"));
+    EXPECT_THAT(said("#31=#4003\nG91G1X5.F9\nG#31\n"), IsEmpty());
+    EXPECT_THAT(said("#31=#4003\nG65P9002\nG1X5.F9\nG#31\n"), IsEmpty()); // it may change the mode
+    EXPECT_THAT(said("#31=#4003\nG#5X5.\nG1X5.F9\nG#31\n"), IsEmpty());
+    EXPECT_THAT(said("#31=#4001\nG90X5.\nG#31\n"), IsEmpty()); // a customary code may be left
+    // In one variable after the other, on different paths.
+    EXPECT_THAT(said("IF[#1EQ1]GOTO5\n#31=#4003\nG91X5.\nG#31\nM99\nN5#32=#4003\nG91X6.\nG#32\n"), IsEmpty());
+}
+
 TEST(HandedModes, AreAskedOfComputedCallsInTheFile) {
     const auto raised = [](const std::string& after_call) {
         return lines_raised("MAC501", "O1\nG90G54\nM98P[7100+#501]\n" + after_call +
@@ -58,7 +117,7 @@ TEST(HandedModes, AreAskedOfComputedCallsInTheFile) {
     EXPECT_THAT(lines_raised("MAC502", "O1\nM98P[9700+#501]\nX1\nM30\nO9701\nG68X0Y0R#1\nM99\n"),
                 ElementsAre(6));
     // Not of calls of other numbers.
-    EXPECT_THAT(lines_raised("MAC501", "O1\nM98P[2000+#501]\nG90G0Z2.\nM30\nO7100\nG91G1X2.F300\nM99\n"),
+    EXPECT_THAT(lines_raised("MAC501", "O1\nM98P[8000+#501]\nG90G0Z2.\nM30\nO7100\nG91G1X2.F300\nM99\n"),
                 ElementsAre(6));
     EXPECT_THAT(lines_raised("MAC209", "O1\n#10=5\nM98P[7000+#501]\nM30\nO7001\nG0X#10\nM99\n"), IsEmpty());
 }

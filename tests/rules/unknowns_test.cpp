@@ -56,6 +56,8 @@ TEST(StoreThroughAnIndex, ThatACallMayPassReachesLocals) {
     EXPECT_THAT(lines_raised("MAC209", with_index("/#1=500+#3")), IsEmpty());
     EXPECT_THAT(lines_raised("MAC209", with_index("WHILE[#1EQ#0]DO1\n#1=500+#3\nEND1")), IsEmpty());
     EXPECT_THAT(lines_raised("MAC209", set_on_one_path_after("#[#1]=0\n#1=500+#3")), IsEmpty());
+    EXPECT_THAT(lines_raised("MAC209", with_index("IF[#3EQ1]GOTO2\n#1=500+#3\nGOTO3\nN2#1=7001+#4\nN3")),
+                ElementsAre(10)); // whichever way is taken
     // #10 is no argument.
     EXPECT_THAT(lines_raised("MAC209", set_on_one_path_after("#10=600\nIF[#3EQ1]THEN#10=500+#3\n#[#10]=0")),
                 ElementsAre(7));
