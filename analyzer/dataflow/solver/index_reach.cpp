@@ -110,6 +110,7 @@ void IndexReaches::collect_bases() {
 }
 
 bool IndexReaches::may_be_passed(Variable variable, flow::NodeId node) {
+    if (node >= graph_.nodes.size()) return true; // nobody has looked where the control goes
     const auto [known, fresh] = passed_.try_emplace(variable);
     std::vector<bool>& passed = known->second;
     if (fresh) {
