@@ -115,7 +115,11 @@ class VacantPath {
     [[nodiscard]] bool sets_on_the_side_of_zero() const {
         return std::ranges::any_of(analysis_.graph().out[test_.node], [&](flow::EdgeId id) {
             const flow::Edge& edge = analysis_.graph().edges[id];
-            return edge.condition && outcome_of(*edge.condition) == !edge.holds && sets_variable(edge.to);
+            return edge.condition && outcome_of(*edge.condition) == !edge.holds &&
+                   std::ranges::any_of(
+                       analysis_.facts().in<dataflow::Store>(edge.to), [&](const dataflow::Store& store) {
+                           return store.variable == variable_ && store.value.constant() != 0.0;
+                       });
         });
     }
 
@@ -136,6 +140,7 @@ class VacantPath {
         const auto note = [&](std::optional<Span>& place, Span span) {
             if (!place && can_follow(analysis_, test_.node, node)) place = span;
         };
+        const bool had_compared = found.compared.has_value();
         for (const Read& read : analysis_.facts().in<Read>(node)) {
             if (!is_tested_value(read) || (read.use == Use::copy && !leaves_program(node))) continue;
             note(read.use == Use::vacancy_test ? found.asked
@@ -143,6 +148,12 @@ class VacantPath {
                                                : found.use,
                  analysis_.program().expressions[read.expression].span);
         }
+        if (!had_compared && found.compared)
+            found.is_held_in_range = std::ranges::none_of(
+                analysis_.facts().in<Comparison>(node), [](const Comparison& comparison) {
+                    return comparison.operation == Operation::equal ||
+                           comparison.operation == Operation::not_equal;
+                });
         if (const auto unreadable = unreadable_use_in(node)) note(found.use, *unreadable);
     }
 

@@ -12,10 +12,11 @@ namespace maclint::queries {
 /// What a program does with a variable on the side of a test that it takes when the variable is vacant, with
 /// nothing set in between.
 struct AfterZeroTest {
-    bool is_reached = false;      ///< a path comes to the test with the variable unset
-    bool is_default = false;      ///< on the other side the variable gets another value at once
-    std::optional<Span> use = {}; ///< a word, an argument, an index or an operand; a block that cannot be
-                                  ///< read uses all that it names but the first, unless it is a test
+    bool is_reached = false;       ///< a path comes to the test with the variable unset
+    bool is_default = false;       ///< on the other side the variable at once gets another value than 0
+    bool is_held_in_range = false; ///< `compared` asks for less or more
+    std::optional<Span> use = {};  ///< a word, an argument, an index or an operand; a block that cannot be
+                                   ///< read uses all that it names but the first, unless it is a test
     std::optional<Span> compared = {}; ///< by a test that tells no vacancy
     std::optional<Span> asked = {};    ///< by a test for vacancy
 };

@@ -89,8 +89,12 @@ class Search {
             return missed(test, *tested, false);
         if (zero_is_refused(test, after) || (!used && !tested)) return std::nullopt;
         using enum VacancyTrials::Refused;
-        const auto refused = after.is_default ? is_different : after.use ? at_once : is_alike;
-        if (trials_.are_alike(test.comparison, test.variable, refused).value_or(!after.use))
+        // A choice among numbers may refuse what is missing; a range that 0 need not be in may not.
+        const auto refused = after.is_default || after.is_held_in_range ? is_different
+                             : after.use                                ? at_once
+                                                                        : is_alike;
+        const bool may_be_alike = !after.use && !after.is_default;
+        if (trials_.are_alike(test.comparison, test.variable, refused).value_or(may_be_alike))
             return std::nullopt;
         return missed(test, used ? *used : *tested, used.has_value());
     }

@@ -330,6 +330,20 @@ TEST(ZeroTest, ThatKeepsADefaultFromWhatIsMissingMattersThoughTheMissingIsRefuse
                 ElementsAre(2));
 }
 
+TEST(ZeroTest, OfALetterThatMayBeLeftOutIsNoneWhereARangeRefusesIt) {
+    EXPECT_THAT(lines_raised("MAC220", "O9001\nIF[#19EQ0]GOTO5\nIF[#19LT54]GOTO8\nS#19\nN5G0X5.\nM99\n"
+                                       "N8#3000=1\n"),
+                ElementsAre(2));
+    // The checks of other letters let no run through.
+    EXPECT_THAT(lines_raised("MAC220", "O9001\nIF[#8NE0]GOTO6\n#8=400.\nN6IF[#24NE12345.6]GOTO8\n"
+                                       "IF[#25NE12345.7]GOTO8\nIF[#26NE[#24*#25+1.5]]GOTO8\nIF[#8LT10]GOTO8\n"
+                                       "G1X5.F#8\nM99\nN8#3000=1\n"),
+                ElementsAre(2));
+    EXPECT_THAT(lines_raised("MAC220", "O9001\nIF[#8NE0]GOTO6\n#8=0\nN6IF[#8LT-10]GOTO8\nG0X[5.+#8]\nM99\n"
+                                       "N8#3000=1\n"),
+                IsEmpty());
+}
+
 TEST(ZeroTest, BesideAnotherTestForVacancyForgetsWhatItExpects) {
     const std::string later = "\nN4M8\nN5IF[#1EQ#0]GOTO9\nG0X#1\nN9M99\n";
     EXPECT_THAT(lines_raised("MAC220", "O9001\nIF[#1EQ0]GOTO5" + later), ElementsAre(2));
