@@ -86,11 +86,12 @@ class LeftState {
             if (exit.exit.kind != flow::ExitKind::alarm) look_at(exit);
         if (!last_) return std::nullopt;
         last_->on_every_path = !elsewhere_right_;
+        last_->kept = kept_;
+        if (kept_) return last_;
         if (last_->exit->exit.kind == flow::ExitKind::returns)
             last_->leak_use =
                 leak_use_of(analysis_, group_, *last_->exit, node_of_origin(analysis_, last_->part.origin));
-        last_->kept = kept_;
-        return kept_ || (last_->leak_use.matters && !is_for_callers()) ? last_ : std::nullopt;
+        return last_->leak_use.matters && !is_for_callers() ? last_ : std::nullopt;
     }
 
   private:

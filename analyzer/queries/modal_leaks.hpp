@@ -20,7 +20,7 @@ struct ModalLeak {
                                      ///< word does
     const dataflow::ExitState* exit; ///< where it is still in force
     bool on_every_path;              ///< false: on other paths the program puts the group right
-    LeakUse leak_use;                ///< what callers do with it
+    LeakUse leak_use;                ///< what callers do with it; nobody looks where the state is kept
     std::optional<KeptState> kept;   ///< the program keeps what its callers had, which is not put back there
 };
 

@@ -41,54 +41,11 @@ std::vector<double> numbers_for(const Program& program) {
     return numbers;
 }
 
-/// Everything that the text does not tell: the same for the same question in the same trial.
-class Unknowns {
-  public:
-    Unknowns(std::vector<double> numbers, std::uint64_t trial)
-        : numbers_(std::move(numbers))
-        , trial_(trial) {}
-
-    /// In every other trial nothing is vacant: many programs refuse to run without one of their letters.
-    [[nodiscard]] Content content(std::string_view question) const {
-        const std::uint64_t chance = chance_of(question);
-        if (trial_ % 2 == 0 && chance % 4 == 0) return {};
-        return numbers_[chance / 4 % numbers_.size()];
-    }
-    [[nodiscard]] double number(std::string_view question) const {
-        return numbers_[chance_of(question) / 4 % numbers_.size()];
-    }
-
-  private:
-    [[nodiscard]] std::uint64_t chance_of(std::string_view question) const {
-        std::uint64_t hash = 14695981039346656037U ^ (trial_ * 0x9E3779B97F4A7C15U);
-        for (const char c : question) hash = (hash ^ static_cast<unsigned char>(c)) * 1099511628211U;
-        return hash ^ (hash >> 29U);
-    }
-
-    std::vector<double> numbers_;
-    std::uint64_t trial_;
-};
-
-execution::Environment environment_of(const ControlModel& control, const Unknowns& unknowns) {
-    execution::Environment environment;
-    environment.at_start = [&](const Program& program, Variable variable) {
-        return unknowns.content(program.spell(variable));
-    };
-    environment.code_at_start = [&](GroupId id) {
-        const ModalGroup& group = control.groups[id];
-        if (group.members.empty()) return group.reset.value_or(unknowns.number(group.name));
-        const auto at = static_cast<std::size_t>(std::abs(unknowns.number(group.name)));
-        return group.members[at % group.members.size()].number;
-    };
-    environment.value_of = [&](const Program& program, ExpressionId id) {
-        return Content{unknowns.number(program.slice(program.expressions[id].span))};
-    };
-    environment.typed_in = [&](const Program& program, Variable variable) {
-        return Content{unknowns.number(program.spell(variable))};
-    };
-    environment.skips = [](const BlockView&) { return false; };
-    environment.unknown_call = [](const Program&, CallKindId) { return execution::UnknownEffects{}; };
-    return environment;
+/// The same for the same question in the same trial.
+std::uint64_t chance_of(std::string_view question, std::uint64_t trial) {
+    std::uint64_t hash = 14695981039346656037U ^ (trial * 0x9E3779B97F4A7C15U);
+    for (const char c : question) hash = (hash ^ static_cast<unsigned char>(c)) * 1099511628211U;
+    return hash ^ (hash >> 29U);
 }
 
 std::vector<Variable> locals_read_in(const Program& program) {
@@ -106,41 +63,71 @@ std::vector<Variable> locals_read_in(const Program& program) {
 
 VacancyTrials::VacancyTrials(const ProgramAnalysis& analysis)
     : analysis_(analysis)
-    , unset_(analysis) {}
+    , unset_(analysis)
+    , outputs_(texts_) {}
+
+/// In every other trial nothing is vacant: many programs refuse to run without one of their letters.
+Content VacancyTrials::content_of(std::string_view question) const {
+    const bool is_vacant = number_ % 2 == 0 && chance_of(question, number_) % 4 == 0;
+    return is_vacant ? Content{} : Content{number_of(question)};
+}
+
+double VacancyTrials::number_of(std::string_view question) const {
+    return numbers_[chance_of(question, number_) / 4 % numbers_.size()];
+}
+
+/// Everything that the text does not tell.
+execution::Environment VacancyTrials::environment() {
+    execution::Environment environment;
+    environment.at_start = [this](const Program& program, Variable asked) {
+        return asked == variable_ ? content_ : content_of(program.spell(asked));
+    };
+    environment.code_at_start = [this](GroupId id) {
+        const ModalGroup& group = analysis_.control().groups[id];
+        if (group.members.empty()) return group.reset.value_or(number_of(group.name));
+        const auto at = static_cast<std::size_t>(std::abs(number_of(group.name)));
+        return group.members[at % group.members.size()].number;
+    };
+    environment.value_of = [this](const Program& program, ExpressionId id) {
+        return Content{number_of(program.slice(program.expressions[id].span))};
+    };
+    environment.typed_in = [this](const Program& program, Variable asked) {
+        return Content{number_of(program.spell(asked))};
+    };
+    environment.skips = [](const BlockView&) { return false; };
+    environment.unknown_call = [](const Program&, CallKindId) { return execution::UnknownEffects{}; };
+    return environment;
+}
 
 VacancyTrials::Trial VacancyTrials::run(const dataflow::Comparison& test, Variable variable,
                                         std::uint64_t number, Content content) {
-    const Unknowns unknowns(numbers_, number);
-    execution::Environment environment = environment_of(analysis_.control(), unknowns);
-    const auto others = environment.at_start;
-    environment.at_start = [&](const Program& program, Variable asked) {
-        return asked == variable ? content : others(program, asked);
-    };
-    execution::Start start{analysis_.index(), {}, test.effect};
+    number_ = number;
+    variable_ = variable;
+    content_ = content;
+    outputs_ = execution::Outputs(texts_);
     const Program& program = analysis_.program();
+    execution::Start start{analysis_.index(), {}, test.effect};
     for (const Local& local : locals_) {
         const std::string name = program.spell(local.variable);
         start.variables.emplace_back(local.variable, local.variable == variable ? content
-                                                     : local.may_be_vacant      ? unknowns.content(name)
-                                                                                : unknowns.number(name));
+                                                     : local.may_be_vacant      ? content_of(name)
+                                                                                : number_of(name));
     }
-    Trial trial{execution::Outputs(texts_), false, false};
-    execution::Stepper stepper(
-        analysis_.workspace(), environment,
-        [&](const execution::Stepper& at, const execution::Event& event) {
-            trial.outputs.observe(at, event);
-            blocks_ += std::holds_alternative<execution::BlockBegins>(event) ? 1U : 0U;
-        },
-        bounds);
-    const execution::Leaving how = stepper.run(start);
-    trial.is_refused = how == execution::Leaving::alarm;
-    trial.is_broken_off = how >= execution::Leaving::fault;
-    return trial;
+    const execution::Leaving how = stepper_->run(start);
+    return {std::move(outputs_), how == execution::Leaving::alarm, how >= execution::Leaving::fault};
 }
 
 std::optional<bool> VacancyTrials::are_alike(const dataflow::Comparison& test, Variable variable,
                                              Refused refused) {
-    if (numbers_.empty()) {
+    if (!stepper_) {
+        environment_ = environment();
+        stepper_.emplace(
+            analysis_.workspace(), environment_,
+            [this](const execution::Stepper& at, const execution::Event& event) {
+                outputs_.observe(at, event);
+                blocks_ += std::holds_alternative<execution::BlockBegins>(event) ? 1U : 0U;
+            },
+            bounds);
         numbers_ = numbers_for(analysis_.program());
         for (const Variable local : locals_read_in(analysis_.program())) locals_.push_back({local, false});
     }

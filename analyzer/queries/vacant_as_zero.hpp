@@ -2,13 +2,16 @@
 #pragma once
 
 #include "analyzer/dataflow/facts/comparison.hpp"
+#include "analyzer/execution/environment.hpp"
 #include "analyzer/execution/outputs.hpp"
+#include "analyzer/execution/stepper.hpp"
 #include "analyzer/queries/feasible_paths.hpp"
 #include "analyzer/workspace/program_analysis.hpp"
 
 #include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <string_view>
 #include <vector>
 
 namespace maclint::queries {
@@ -17,6 +20,9 @@ namespace maclint::queries {
 class VacancyTrials {
   public:
     explicit VacancyTrials(const ProgramAnalysis& analysis);
+    VacancyTrials(const VacancyTrials&) = delete;
+    VacancyTrials& operator=(const VacancyTrials&) = delete;
+    ~VacancyTrials() = default;
 
     /// What it means that a run with the variable vacant ends in an alarm of a program where the one with 0
     /// does not: that it is alike, that it is where nothing else was done before, that it is not.
@@ -34,19 +40,29 @@ class VacancyTrials {
         bool is_refused;    ///< it ended in an alarm of a program
         bool is_broken_off; ///< it ended before the program did
     };
-    [[nodiscard]] Trial run(const dataflow::Comparison& test, Variable variable, std::uint64_t number,
-                            semantics::Content content);
-
-    const ProgramAnalysis& analysis_;
     struct Local {
         Variable variable;
         bool may_be_vacant; ///< at the test
     };
+    [[nodiscard]] execution::Environment environment();
+    [[nodiscard]] semantics::Content content_of(std::string_view question) const;
+    [[nodiscard]] double number_of(std::string_view question) const;
+    [[nodiscard]] Trial run(const dataflow::Comparison& test, Variable variable, std::uint64_t number,
+                            semantics::Content content);
+
+    const ProgramAnalysis& analysis_;
     WithoutAssignment unset_;
     std::vector<double> numbers_; ///< that unknowns get
     std::vector<Local> locals_;   ///< that the program reads
     execution::WordTexts texts_;
     std::size_t blocks_ = 0; ///< so many have been run
+    // Of the trial that runs:
+    std::uint64_t number_ = 0;
+    Variable variable_{};
+    semantics::Content content_; ///< of the variable, where programs share it
+    execution::Outputs outputs_;
+    execution::Environment environment_;
+    std::optional<execution::Stepper> stepper_; ///< after the first test that is tried
 };
 
 } // namespace maclint::queries

@@ -6,11 +6,14 @@
 #include "analyzer/dataflow/facts/read.hpp"
 #include "analyzer/dataflow/facts/store.hpp"
 #include "analyzer/program/modal_groups.hpp"
+#include "analyzer/queries/kept_state.hpp"
 #include "analyzer/queries/modal_leaks.hpp"
 #include "analyzer/workspace/program_analysis.hpp"
 #include "rules/modal/modal_leak.hpp"
 #include "rules/path.hpp"
 #include "rules/rule.hpp"
+
+#include <algorithm>
 
 namespace maclint::rules {
 
@@ -73,6 +76,7 @@ void report(const ProgramAnalysis& analysis, Reporter& reporter, const queries::
 
 void check(const ProgramAnalysis& analysis, Reporter& reporter) {
     if (analysis.is_main()) return;
+    if (std::ranges::all_of(queries::find_kept_states(analysis), &queries::KeptState::is_put_back)) return;
     const auto nothing_else = [](const auto&...) { return false; };
     for (const RestorePolicy policy : policies)
         for (const queries::ModalLeak& leak : queries::find_modal_leaks(analysis, policy, nothing_else))
