@@ -178,8 +178,9 @@ class VacantPath {
 
     /// Whether the variable's name stands there with a sign of equality behind it.
     [[nodiscard]] bool may_assign(Span span) const {
-        return without_blanks(analysis_.program().slice(span))
-                   .find(in_capitals(analysis_.program().spell(variable_)) + "=") != std::string::npos;
+        return exemptions::assigned_unread.is_on() &&
+               without_blanks(analysis_.program().slice(span))
+                       .find(in_capitals(analysis_.program().spell(variable_)) + "=") != std::string::npos;
     }
 
     [[nodiscard]] bool is_tested_value(const Read& read) const {

@@ -3,11 +3,16 @@
 
 #include "analyzer/dataflow/facts/comparison.hpp"
 #include "analyzer/dataflow/facts/read.hpp"
+#include "analyzer/source/exemption.hpp"
 #include "analyzer/workspace/program_analysis.hpp"
 
 #include <optional>
 
 namespace maclint::queries {
+
+namespace exemptions {
+inline constexpr Exemption assigned_unread; ///< a block that nobody can read looks like an assignment to it
+} // namespace exemptions
 
 /// What a program does with a variable on the side of a test that it takes when the variable is vacant, with
 /// nothing set in between.

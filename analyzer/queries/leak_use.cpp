@@ -121,7 +121,7 @@ class Search {
     /// Whether it is a custom to give the value again when one of the codes in force ends.
     [[nodiscard]] bool is_given_again(std::uint32_t idle) const {
         for (std::size_t i = 0; i < idle_.size(); ++i)
-            if ((idle >> i & 1U) != 0 && idle_[i].given_again) return true;
+            if ((idle >> i & 1U) != 0 && idle_[i].given_again) return exemptions::speed_given_again.is_on();
         return false;
     }
 

@@ -2,9 +2,14 @@
 #pragma once
 
 #include "analyzer/dataflow/facts/exit_state.hpp"
+#include "analyzer/source/exemption.hpp"
 #include "analyzer/workspace/program_analysis.hpp"
 
 namespace maclint::queries {
+
+namespace exemptions {
+inline constexpr Exemption speed_given_again; ///< who starts a spindle that stands gives its speed
+} // namespace exemptions
 
 /// Whether somebody works under the state that a program leaves in a modal group when it returns.
 struct LeakUse {

@@ -102,8 +102,8 @@ class Search {
   private:
     /// 0 ends in an alarm, and what is vacant is treated in another way: the author tells them apart.
     [[nodiscard]] bool zero_is_refused(const ZeroTest& test, const AfterZeroTest& after) const {
-        return !after.use && after.asked && ends_in_alarm(analysis_, test.node(), test.is_equal()) &&
-               !has_sibling(analysis_, test);
+        return exemptions::zero_is_refused.is_on() && !after.use && after.asked &&
+               ends_in_alarm(analysis_, test.node(), test.is_equal()) && !has_sibling(analysis_, test);
     }
 
     static MissedVacancy missed(const ZeroTest& test, Span shows, bool is_used) {

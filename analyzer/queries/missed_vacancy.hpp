@@ -2,11 +2,16 @@
 #pragma once
 
 #include "analyzer/dataflow/facts/comparison.hpp"
+#include "analyzer/source/exemption.hpp"
 #include "analyzer/workspace/program_analysis.hpp"
 
 #include <vector>
 
 namespace maclint::queries {
+
+namespace exemptions {
+inline constexpr Exemption zero_is_refused; ///< 0 ends in an alarm, and vacancy is asked for behind the test
+} // namespace exemptions
 
 /// A comparison with 0 by EQ or NE whose variable can be vacant there, and then goes the way of a number.
 struct MissedVacancy {

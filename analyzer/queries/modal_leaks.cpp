@@ -25,9 +25,10 @@ namespace {
 
 /// A word whose block gives it another meaning: `M19 S90.` need not set a speed.
 bool may_mean_something_else(const ProgramAnalysis& analysis, GroupId group, dataflow::OriginId set) {
-    return std::ranges::any_of(analysis.control().idle, [&](const Idle& idle) {
-        return idle.value == group && idle.other_meaning && stands_beside(analysis, set, idle.under);
-    });
+    return exemptions::angle_of_the_spindle.is_on() &&
+           std::ranges::any_of(analysis.control().idle, [&](const Idle& idle) {
+               return idle.value == group && idle.other_meaning && stands_beside(analysis, set, idle.under);
+           });
 }
 
 /// Whether the value of a word decides what it sets, and it may be the group.
@@ -103,8 +104,9 @@ class LeftState {
             group.restore_policy == RestorePolicy::modal_call)
             return false;
         const bool asks_callers = group.cancel && knows_callers(analysis_);
-        return asks_callers ? callers_cancel(analysis_, group_)
-                            : last_->on_every_path && only_sets_modes(analysis_.program());
+        return asks_callers ? exemptions::callers_cancel.is_on() && callers_cancel(analysis_, group_)
+                            : exemptions::only_sets_modes.is_on() && last_->on_every_path &&
+                                  only_sets_modes(analysis_.program());
     }
 
     void look_at(const dataflow::ExitState& exit) {
@@ -174,16 +176,6 @@ class LeftState {
     bool elsewhere_right_ = false;
 };
 
-/// A jump of which it is unknown whether it is taken: to blocks that run as a subprogram of this program. A
-/// return then need not leave it.
-bool may_return_within(const Program& program) {
-    return std::ranges::any_of(program.effects, [&](const Effect& effect) {
-        const auto* guarded = std::get_if<Guarded>(&effect.what);
-        return guarded != nullptr &&
-               std::holds_alternative<Unreadable>(program.expressions[guarded->condition].node);
-    });
-}
-
 } // namespace
 
 std::vector<ModalLeak> find_modal_leaks(const ProgramAnalysis& analysis, RestorePolicy restore_policy,
@@ -198,7 +190,6 @@ std::vector<ModalLeak> find_modal_leaks(const ProgramAnalysis& analysis, Restore
         if (const auto leak = LeftState(analysis, static_cast<GroupId>(group), is_fault, kept).run())
             leaks.push_back(*leak);
     }
-    if (!leaks.empty() && may_return_within(analysis.program())) leaks.clear();
     return leaks;
 }
 

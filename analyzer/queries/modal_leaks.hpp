@@ -5,6 +5,7 @@
 #include "analyzer/program/modal_groups.hpp"
 #include "analyzer/queries/kept_state.hpp"
 #include "analyzer/queries/leak_use.hpp"
+#include "analyzer/source/exemption.hpp"
 #include "analyzer/workspace/program_analysis.hpp"
 
 #include <functional>
@@ -12,6 +13,12 @@
 #include <vector>
 
 namespace maclint::queries {
+
+namespace exemptions {
+inline constexpr Exemption only_sets_modes;      ///< the program is there to set them for its callers
+inline constexpr Exemption callers_cancel;       ///< every caller ends what the program has switched on
+inline constexpr Exemption angle_of_the_spindle; ///< S beside M19 is where the spindle stops
+} // namespace exemptions
 
 /// A word of the program whose effect on a modal group is still in force when the program is left.
 struct ModalLeak {
@@ -30,9 +37,9 @@ using IsFault =
 
 /// One leak for each group with this policy. Left out are states that something unknown may have changed on
 /// every path to the exit; what a called program left, for which it answers itself, unless it is a feed or
-/// speed and this program keeps its callers' state; what every known caller sets again before it moves; and
-/// all of a program that may run blocks of its own as a subprogram. Of a group whose state the program keeps
-/// everything else that it leaves at a return is a fault, whatever its callers do.
+/// speed and this program keeps its callers' state; and what every known caller sets again before it moves.
+/// Of a group whose state the program keeps everything else that it leaves at a return is a fault, whatever
+/// its callers do.
 [[nodiscard]] std::vector<ModalLeak> find_modal_leaks(const ProgramAnalysis& analysis,
                                                       RestorePolicy restore_policy, const IsFault& is_fault);
 

@@ -54,6 +54,19 @@ G1 X20. F200.
 G69
 M99
 )nc"}},
+    .exemptions = {{&queries::exemptions::callers_cancel,
+                    "callers-cancel",
+                    "What every caller cancels on all of its paths may be switched on for them.",
+                    {"fanuc", R"nc(
+O0001(CONTOUR)
+M98 P9502
+G1 Y20. F300.
+G40 X0
+M30
+O9502(TO THE CONTOUR)
+G1 G41 D1 X20. F300.
+M99
+)nc"}}},
     .alarms = {{"FANUC 16i/18i/21i", "044", "G27-G30 NOT ALLOWED IN FIXED CYC"}},
     .sources = {"SEED-001:206,714", "SEED-002:396-528"},
     .check = &check,

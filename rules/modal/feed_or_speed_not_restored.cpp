@@ -7,6 +7,7 @@
 #include "analyzer/dataflow/facts/store.hpp"
 #include "analyzer/program/modal_groups.hpp"
 #include "analyzer/queries/exits.hpp"
+#include "analyzer/queries/leak_use.hpp"
 #include "analyzer/queries/modal_leaks.hpp"
 #include "analyzer/queries/modal_parts.hpp"
 #include "analyzer/queries/origins.hpp"
@@ -70,6 +71,33 @@ G1 Z#26 F#9
 F#33
 M99
 )nc"}},
+    .exemptions = {{&queries::exemptions::angle_of_the_spindle,
+                    "angle-of-the-spindle",
+                    "S beside M19 may be the angle at which the spindle stops.",
+                    {"fanuc", R"nc(
+O0001(ROUGH)
+S900 M3
+G65 P9503 Z5.
+M3
+G1 X5. F90.
+M30
+O9503(ORIENT)
+M19 S90.
+G0 Z#26
+M99
+)nc"}},
+                   {&queries::exemptions::speed_given_again,
+                    "speed-given-again",
+                    "Who starts a spindle that the program has stopped gives its speed, by custom.",
+                    {"fanuc", R"nc(
+O9503(PARK)
+#1=#4003
+G91 G0 Z#26
+M05
+S35
+G#1
+M99
+)nc"}}},
     .sources = {"SEED-001:206"},
     .check = &check,
 };

@@ -57,6 +57,14 @@ G91 G0 Z10.
 G#33
 M99
 )nc"}},
+    .exemptions = {{&queries::exemptions::only_sets_modes,
+                    "only-sets-modes",
+                    "A program that does nothing else is there to set them for its callers.",
+                    {"fanuc", R"nc(
+O9501(INTO THE PLANE OF THE ANGLE HEAD)
+G18
+M99
+)nc"}}},
     .sources = {"SEED-001:206,582", "CNCWIKI-SUB", "SEED-001:1344-1354"},
     .check = &check,
 };

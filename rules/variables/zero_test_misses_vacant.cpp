@@ -3,6 +3,7 @@
 #include "analyzer/dataflow/facts/comparison.hpp"
 #include "analyzer/dataflow/facts/read.hpp"
 #include "analyzer/dataflow/facts/store.hpp"
+#include "analyzer/queries/after_zero_test.hpp"
 #include "analyzer/queries/argument_names.hpp"
 #include "analyzer/queries/missed_vacancy.hpp"
 #include "analyzer/workspace/program_analysis.hpp"
@@ -60,6 +61,28 @@ G90 G1 Z#33
 M99
 N9 #3000=1(K MISSING)
 )nc"}},
+    .exemptions = {{&queries::exemptions::zero_is_refused,
+                    "zero-is-refused",
+                    "0 ends in an alarm and the variable is tested for vacancy behind the test: the author "
+                    "tells them apart.",
+                    {"fanuc", R"nc(
+O9220(BORE, D DIAMETER IF IT IS MEASURED)
+IF[#7NE0]GOTO1
+#3000=1(D IS 0)
+N1 IF[#7EQ#0]GOTO9
+G0 X#7
+N9 M99
+)nc"}},
+                   {&queries::exemptions::assigned_unread,
+                    "assigned-in-unreadable-block",
+                    "A block that cannot be read, with = behind the variable, may assign it.",
+                    {"fanuc", R"nc(
+O9220(DEPTH FROM H)
+IF[#4EQ0]GOTO9
+#4 = ABS(#26)
+G0 X1.
+N9 M99
+)nc"}}},
     .sources = {"SEED-001:415", "NCT-174", "CSDN-VAR", "MITSU-326"},
     .check = &check,
 };
