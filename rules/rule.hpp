@@ -61,7 +61,7 @@ struct Example {
 /// without it, and nothing with it.
 struct RuleExemption {
     const Exemption* exemption;
-    std::string_view name; ///< "named-in-a-comment"; no other of the rule's has it
+    std::string_view name; ///< "waits-for-others"; no other of the rule's has it
     std::string_view why;  ///< a sentence: what is held back, and what the author is taken to mean
     Example wanted_by;     ///< a program that is right, in which the rule would speak
 };
@@ -123,7 +123,7 @@ struct NamedExemption {
     std::size_t index; ///< in Rule::exemptions
 
     [[nodiscard]] const RuleExemption& record() const { return rule->exemptions[index]; }
-    /// "MAC211/named-in-a-comment".
+    /// "MAC319/waits-for-others".
     [[nodiscard]] std::string name() const {
         return std::string(rule->code) + "/" + std::string(record().name);
     }
@@ -132,7 +132,7 @@ struct NamedExemption {
 
 /// Those of all rules, in their order.
 [[nodiscard]] const std::vector<NamedExemption>& all_exemptions();
-/// "MAC211/named-in-a-comment", also with another name of the rule, in any case. Nothing: there is none.
+/// "MAC319/waits-for-others", also with another name of the rule, in any case. Nothing: there is none.
 [[nodiscard]] std::optional<NamedExemption> find_exemption(std::string_view name);
 /// Those that hold the finding back; empty: none does.
 [[nodiscard]] std::vector<NamedExemption> withheld_by(const Finding& finding);

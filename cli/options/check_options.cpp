@@ -203,7 +203,7 @@ void declare_check(CLI::App& check, CheckWords& words) {
     repeatable(check.add_option("--severity", words.severity, "Change a severity to error, warning or note"))
         ->type_name("RULE=LEVEL");
     repeatable(check.add_option("--without-exemption", words.without_exemption,
-                                "Guesses that are not made, such as MAC211/named-in-a-comment; "
+                                "Guesses that are not made, such as MAC319/waits-for-others; "
                                 "'maclint explain RULE' lists a rule's"))
         ->type_name("EXEMPTIONS");
     check.add_flag("--show-withheld", words.show_withheld,
