@@ -5,8 +5,8 @@
 #include "analyzer/program/model.hpp"
 #include "analyzer/source/work_limit.hpp"
 #include "analyzer/workspace/program_analysis.hpp"
-#include "rules/exemptions.hpp"
 #include "rules/syntax_errors.hpp"
+#include "rules/withheld.hpp"
 #include "rules/word_check.hpp"
 #include "rules/work_for.hpp"
 

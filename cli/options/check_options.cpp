@@ -129,12 +129,6 @@ Overrides overrides_of(const CheckWords& words) {
     return overrides;
 }
 
-std::vector<std::string> exemption_words() {
-    std::vector<std::string> words;
-    for (const NamedExemption& exemption : all_exemptions()) words.push_back(exemption.name());
-    return words;
-}
-
 ExemptionChoice exemptions_of(const CheckWords& words) {
     ExemptionChoice choice{.withheld = words.show_withheld ? Withheld::listed : Withheld::dropped};
     for (const std::string& word : listed("--without-exemption", words.without_exemption)) {
