@@ -246,6 +246,7 @@ std::vector<std::string> known_words(std::string_view command, std::string_view 
     if (option == "--fail-on") return fail_on_words();
     if (option == "--path") return words_of(path_details);
     if (option == "--color") return words_of(colours);
+    if (option == "--without-exemption") return exemption_words();
     if (option == "--select" || option == "--ignore" || option == "RULE") return rule_words();
     if (option == "SHELL") return words_of(shells);
     if (option == "COMMAND") return command_names();

@@ -4,15 +4,14 @@
 #include "analyzer/dataflow/facts/fact_set.hpp"
 #include "analyzer/program/capability.hpp"
 #include "analyzer/program/syntax_error.hpp"
-#include "analyzer/source/exemption.hpp"
 #include "rules/check.hpp"
+#include "rules/exemption.hpp"
 #include "rules/finding.hpp"
 #include "rules/reporter.hpp"
 
 #include <cstddef>
 #include <cstdint>
 #include <memory>
-#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -41,29 +40,6 @@ struct Alarm {
     std::string_view number;  ///< "124"
     std::string_view text;    ///< "MISSING END STATEMENT"
     bool always = true;       ///< wherever the rule finds an error, and not only in some of its cases
-};
-
-/// A program that shows the rule.
-struct Example {
-    /// A line end at the very beginning of the text is left out, so that it can stand as it looks in a raw
-    /// string.
-    Example(std::string_view dialect_name, std::string_view program, bool in_complete_folder = false)
-        : dialect(dialect_name)
-        , text(program.starts_with('\n') ? program.substr(1) : program)
-        , complete(in_complete_folder) {}
-
-    std::string_view dialect; ///< as --dialect takes it
-    std::string_view text;
-    bool complete; ///< shown in a folder that the configuration declares complete
-};
-
-/// A guess by which a rule is silent although what it says is true. It is tried: its program raises the rule
-/// without it, and nothing with it.
-struct RuleExemption {
-    const Exemption* exemption;
-    std::string_view name; ///< "named-in-a-comment"; no other of the rule's has it
-    std::string_view why;  ///< a sentence: what is held back, and what the author is taken to mean
-    Example wanted_by;     ///< a program that is right, in which the rule would speak
 };
 
 /// The severity in programs of a language, where it is not the rule's own.
@@ -116,34 +92,6 @@ struct Rule {
 [[nodiscard]] bool lists_code(std::string_view codes, std::string_view code);
 
 class RowIndexes;
-
-/// An exemption and whose it is.
-struct NamedExemption {
-    const Rule* rule;
-    std::size_t index; ///< in Rule::exemptions
-
-    [[nodiscard]] const RuleExemption& record() const { return rule->exemptions[index]; }
-    /// "MAC211/named-in-a-comment".
-    [[nodiscard]] std::string name() const {
-        return std::string(rule->code) + "/" + std::string(record().name);
-    }
-    friend bool operator==(const NamedExemption&, const NamedExemption&) = default;
-};
-
-/// Those of all rules, in their order.
-[[nodiscard]] const std::vector<NamedExemption>& all_exemptions();
-/// "MAC211/named-in-a-comment", also with another name of the rule, in any case. Nothing: there is none.
-[[nodiscard]] std::optional<NamedExemption> find_exemption(std::string_view name);
-/// Those that hold the finding back; empty: none does.
-[[nodiscard]] std::vector<NamedExemption> withheld_by(const Finding& finding);
-
-/// What becomes of findings that exemptions hold back.
-enum class Withheld : std::uint8_t { dropped, listed };
-
-struct ExemptionChoice {
-    std::vector<NamedExemption> without = {}; ///< these are off
-    Withheld withheld = Withheld::dropped;
-};
 
 /// The rules that run.
 struct Selection {

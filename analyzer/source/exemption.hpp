@@ -32,9 +32,9 @@ class WithoutExemptions {
 
   private:
     friend class Exemption;
-    inline static constinit thread_local const WithoutExemptions* innermost = nullptr;
+    inline static constinit thread_local WithoutExemptions* innermost = nullptr;
     std::span<const Exemption* const> off_;
-    const WithoutExemptions* outer_;
+    WithoutExemptions* outer_;
 };
 
 inline bool Exemption::is_on() const {

@@ -136,10 +136,21 @@ class WorkspaceBuilder {
     [[nodiscard]] NamesakeList that_lie_above(const NamesakeList& programs,
                                               std::optional<std::int64_t> base) const {
         NamesakeList found;
+        const auto room = base ? room_above(*base) : std::nullopt;
         for (const ProgramIndex index : programs) {
-            if (!base || *programs_[index].program().number >= *base) found.push_back(index);
+            const std::int64_t number = *programs_[index].program().number;
+            if (!base || (number >= *base && (!room || number < *base + *room))) found.push_back(index);
         }
         return found;
+    }
+
+    /// What is added stands in place of the zeros that the number ends with: 100 programs from 7100 on.
+    /// Nothing for a number that ends with none, which leaves no place.
+    static std::optional<std::int64_t> room_above(std::int64_t base) {
+        constexpr std::int64_t ten = 10;
+        std::int64_t room = 1;
+        while (base != 0 && base % (room * ten) == 0) room *= ten;
+        return room == 1 ? std::nullopt : std::optional(room);
     }
 
     /// 7100 of `M98 P[7100+#501]`.

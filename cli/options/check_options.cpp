@@ -129,12 +129,6 @@ Overrides overrides_of(const CheckWords& words) {
     return overrides;
 }
 
-std::vector<std::string> exemption_words() {
-    std::vector<std::string> words;
-    for (const NamedExemption& exemption : all_exemptions()) words.push_back(exemption.name());
-    return words;
-}
-
 ExemptionChoice exemptions_of(const CheckWords& words) {
     ExemptionChoice choice{.withheld = words.show_withheld ? Withheld::listed : Withheld::dropped};
     for (const std::string& word : listed("--without-exemption", words.without_exemption)) {
@@ -203,7 +197,7 @@ void declare_check(CLI::App& check, CheckWords& words) {
     repeatable(check.add_option("--severity", words.severity, "Change a severity to error, warning or note"))
         ->type_name("RULE=LEVEL");
     repeatable(check.add_option("--without-exemption", words.without_exemption,
-                                "Guesses that are not made, such as MAC211/named-in-a-comment; "
+                                "Guesses that are not made, such as MAC319/waits-for-others; "
                                 "'maclint explain RULE' lists a rule's"))
         ->type_name("EXEMPTIONS");
     check.add_flag("--show-withheld", words.show_withheld,

@@ -57,6 +57,12 @@ std::vector<std::string> dialect_words() {
     return words;
 }
 
+std::vector<std::string> exemption_words() {
+    std::vector<std::string> words;
+    for (const NamedExemption& exemption : all_exemptions()) words.push_back(exemption.name());
+    return words;
+}
+
 std::vector<std::string> severity_words() { return {"error", "warning", "note"}; }
 
 std::vector<std::string> fail_on_words() {

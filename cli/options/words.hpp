@@ -61,6 +61,9 @@ Number number(std::string_view option, const std::string& word, Number least, Nu
 [[nodiscard]] std::vector<std::string> fail_on_words();
 [[nodiscard]] std::vector<std::string> severity_words();
 
+/// Names of all exemptions of rules: "MAC319/waits-for-others".
+[[nodiscard]] std::vector<std::string> exemption_words();
+
 /// Refuses words that name no rule.
 void require_rules(std::string_view option, const std::vector<std::string>& words);
 

@@ -57,7 +57,7 @@ struct Tally {
 [[nodiscard]] inline bool is_withheld(const FilteredFinding& filtered) {
     return filtered.finding.withheld != 0;
 }
-/// "MAC211/named-in-a-comment", one for each exemption that holds it back.
+/// "MAC319/waits-for-others", one for each exemption that holds it back.
 [[nodiscard]] std::vector<std::string> exemptions_of(const FilteredFinding& filtered);
 
 enum class Colour : std::uint8_t { plain, coloured };

@@ -6,10 +6,10 @@
 namespace maclint::cli {
 namespace {
 
-/// Values are named for what they are: a FILE is completed as a path, RULES as a list of rules.
+/// Values are named for what they are: a FILE is completed as a path, RULES and EXEMPTIONS as lists.
 ValueKind kind_of(const OptionText& option) {
     if (option.value.empty()) return ValueKind::none;
-    if (option.value == "RULES") return ValueKind::lists;
+    if (option.value == "RULES" || option.value == "EXEMPTIONS") return ValueKind::lists;
     if (!option.words.empty()) return ValueKind::words;
     if (option.value == "FILE" || option.value == "DIR" || option.value == "PATH") return ValueKind::path;
     return ValueKind::free;

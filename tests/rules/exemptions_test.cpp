@@ -1,5 +1,5 @@
 //! Every exemption has a program that wants it, and what exemptions hold back is told with its reason.
-#include "rules/exemptions.hpp"
+#include "rules/withheld.hpp"
 #include "tests/support/linted.hpp"
 
 #include <algorithm>

@@ -19,7 +19,7 @@ using testing::ElementsAre;
 using testing::IsEmpty;
 using testing::SizeIs;
 
-constexpr std::ptrdiff_t most_lines = 125; ///< beside its includes
+constexpr std::ptrdiff_t most_lines = 125; ///< beside its includes and the programs that want exemptions
 /// Lists of rows are as long as there is something to say.
 bool is_list(std::string_view path) {
     return path == "rules/registry.cpp" || path.starts_with("rules/words/tables_");
@@ -37,10 +37,19 @@ std::ptrdiff_t count_of(std::string_view text, std::string_view part) {
     return count;
 }
 
+/// The lines of a record that list exemptions: as many as there are to tell.
+std::ptrdiff_t lines_of_exemptions(std::string_view text) {
+    const auto begin = text.find("\n    .exemptions =");
+    if (begin == std::string_view::npos) return 0;
+    const auto end = text.find("\n    .", begin + 1);
+    return std::ranges::count(text.substr(begin, end - begin), '\n');
+}
+
 std::vector<std::string> too_long(const std::vector<ProjectFile>& files) {
     std::vector<std::string> found;
     for (const ProjectFile& file : files) {
-        const auto lines = std::ranges::count(file.text, '\n') - count_of(file.text, "\n#include ");
+        const auto lines = std::ranges::count(file.text, '\n') - count_of(file.text, "\n#include ") -
+                           lines_of_exemptions(file.text);
         if (lines > most_lines && !is_list(file.path))
             found.push_back(file.path + " has " + std::to_string(lines) + " lines");
     }
@@ -96,10 +105,14 @@ TEST(RuleFiles, AskNotWhichLanguageTheyLookAt) {
 
 TEST(RuleFilesCheck, FindsALongFileButNotTheRegistry) {
     const std::string lines = std::string(126, '\n') + "\n#include <span>";
+    const std::string exemptions =
+        "\n    .exemptions = {\n{},\n},\n    .sources = {}\n"; // 3 lines that do not count
     EXPECT_THAT(too_long({{"rules/flow/a.cpp", lines},
                           {"rules/flow/b.cpp", lines.substr(1)},
+                          {"rules/flow/c.cpp", lines.substr(3) + exemptions},
+                          {"rules/flow/d.cpp", lines.substr(2) + exemptions},
                           {"rules/registry.cpp", lines}}),
-                ElementsAre("rules/flow/a.cpp has 126 lines"));
+                ElementsAre("rules/flow/a.cpp has 126 lines", "rules/flow/d.cpp has 126 lines"));
 }
 
 TEST(RuleFilesCheck, FindsValueTablesInCodeButNotInComments) {

@@ -1,5 +1,5 @@
 //! What is held back is found when all exemptions are off, and lost again when one that holds it is put back.
-#include "rules/exemptions.hpp"
+#include "rules/withheld.hpp"
 
 #include <algorithm>
 #include <set>
@@ -24,34 +24,6 @@ std::set<Place> places_of(const std::vector<Finding>& findings) {
 }
 
 } // namespace
-
-const std::vector<NamedExemption>& all_exemptions() {
-    static const std::vector<NamedExemption> exemptions = [] {
-        std::vector<NamedExemption> all;
-        for (const Rule* rule : all_rules())
-            for (std::size_t i = 0; i < rule->exemptions.size(); ++i) all.push_back({rule, i});
-        return all;
-    }();
-    return exemptions;
-}
-
-std::optional<NamedExemption> find_exemption(std::string_view name) {
-    const std::size_t slash = std::min(name.find('/'), name.size());
-    const Rule* rule = find_rule(name.substr(0, slash));
-    if (rule == nullptr) return std::nullopt;
-    const std::string wanted = std::string(rule->code) + std::string(name.substr(slash));
-    const auto found = std::ranges::find_if(all_exemptions(), [&](const NamedExemption& exemption) {
-        return exemption.rule == rule && lists_code(exemption.name(), wanted);
-    });
-    return found == all_exemptions().end() ? std::nullopt : std::optional(*found);
-}
-
-std::vector<NamedExemption> withheld_by(const Finding& finding) {
-    std::vector<NamedExemption> by;
-    for (std::size_t i = 0; i < finding.rule->exemptions.size(); ++i)
-        if ((finding.withheld & bit(i)) != 0) by.push_back({finding.rule, i});
-    return by;
-}
 
 ExemptionBits off_in(const ExemptionChoice& choice, const Rule& rule) {
     ExemptionBits off = 0;

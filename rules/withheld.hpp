@@ -1,4 +1,4 @@
-//! The exemptions of rules by their names, and what they hold back.
+//! What exemptions hold back.
 #pragma once
 
 #include "rules/rule.hpp"

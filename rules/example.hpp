@@ -1,0 +1,22 @@
+//! A program that the records of rules show.
+#pragma once
+
+#include <string_view>
+
+namespace maclint {
+
+/// A program that shows the rule.
+struct Example {
+    /// A line end at the very beginning of the text is left out, so that it can stand as it looks in a raw
+    /// string.
+    Example(std::string_view dialect_name, std::string_view program, bool in_complete_folder = false)
+        : dialect(dialect_name)
+        , text(program.starts_with('\n') ? program.substr(1) : program)
+        , complete(in_complete_folder) {}
+
+    std::string_view dialect; ///< as --dialect takes it
+    std::string_view text;
+    bool complete; ///< shown in a folder that the configuration declares complete
+};
+
+} // namespace maclint
