@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <cstddef>
 #include <optional>
 #include <variant>
 
@@ -64,16 +65,29 @@ void Outputs::observe(const Stepper& stepper, const Event& event) {
                             *value.content);
                    },
                    [&](const Stored& stored) {
-                       if (stored.old == stored.content) return;
+                       // Of a local it shows in what is done with it whether it is 0 or vacant.
+                       const bool is_local =
+                           stepper.program().control().spaces[stored.variable.space].scope == Scope::frame;
+                       if (is_local ? stored.old.value_or(0) == stored.content.value_or(0)
+                                    : stored.old == stored.content)
+                           return;
                        note(stored_, {}, static_cast<double>(stored.variable.number));
                        note(stored_, {}, stored.content.value_or(-0.0)); // no number that is stored is -0
                    },
                    [&](const ProgramLeft& left) {
-                       if (stepper.depth() == 0) note(stored_, {}, static_cast<double>(left.how));
+                       if (stepper.depth() == 0) left_ = left.how;
                    },
                    [](const auto&) {},
                },
                event);
+}
+
+bool Outputs::begins_like(const Outputs& other) const {
+    const auto is_alike = [](const std::vector<Given>& a, const std::vector<Given>& b) {
+        const auto shorter = static_cast<std::ptrdiff_t>(std::min(a.size(), b.size()));
+        return std::equal(a.begin(), a.begin() + shorter, b.begin());
+    };
+    return is_alike(given_, other.given_) && is_alike(stored_, other.stored_);
 }
 
 bool Outputs::gives_no_more_than(const Outputs& other) const {

@@ -4,6 +4,7 @@
 #include "analyzer/execution/stepper.hpp"
 
 #include <cstdint>
+#include <optional>
 #include <string_view>
 #include <unordered_map>
 #include <vector>
@@ -31,8 +32,9 @@ class WordTexts {
 };
 
 /// Collects what a run gives, as its observer. Two runs with the same outputs have done the same: numbers of
-/// blocks, jumps, tests and assignments of what a variable holds already leave none. A word, an argument or a
-/// printed value that is vacant leaves none either, as the control passes over it.
+/// blocks, jumps, tests and assignments of what a variable holds already leave none; in a local variable 0
+/// and vacant count as the same. A word, an argument or a printed value that is vacant leaves none either, as
+/// the control passes over it.
 class Outputs {
   public:
     /// Must outlive the outputs.
@@ -42,16 +44,19 @@ class Outputs {
     void observe(const Stepper& stepper, const Event& event);
 
     friend bool operator==(const Outputs& a, const Outputs& b) {
-        return a.given_ == b.given_ && a.stored_ == b.stored_;
+        return a.given_ == b.given_ && a.stored_ == b.stored_ && a.left_ == b.left_;
     }
     /// Whether the machine was given nothing in this run that it was not given in the other one, in the same
     /// order, whatever was stored.
     [[nodiscard]] bool gives_no_more_than(const Outputs& other) const;
+    /// Whether the two are the same as far as the shorter one goes.
+    [[nodiscard]] bool begins_like(const Outputs& other) const;
 
   private:
     WordTexts* texts_;
-    std::vector<Given> given_;  ///< to the machine
-    std::vector<Given> stored_; ///< in variables, and how the run ended
+    std::vector<Given> given_;    ///< to the machine
+    std::vector<Given> stored_;   ///< in variables
+    std::optional<Leaving> left_; ///< how the run ended
 };
 
 } // namespace maclint::execution

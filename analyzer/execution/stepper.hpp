@@ -48,6 +48,8 @@ class Stepper {
     /// What a variable of the running program holds.
     [[nodiscard]] Content content(Variable variable);
     [[nodiscard]] double code(GroupId id);
+    /// From now on the variable of the running program holds this, whatever is being computed with it.
+    void set(Variable variable, Content content) { content_of(variable) = content; }
 
   private:
     using Variables = std::unordered_map<Variable, Content, VariableHash>;

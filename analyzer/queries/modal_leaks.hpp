@@ -18,6 +18,7 @@ namespace exemptions {
 inline constexpr Exemption only_sets_modes;      ///< the program is there to set them for its callers
 inline constexpr Exemption callers_cancel;       ///< every caller ends what the program has switched on
 inline constexpr Exemption angle_of_the_spindle; ///< S beside M19 is where the spindle stops
+inline constexpr Exemption returns_within;       ///< blocks of the program may run as its own subprogram
 } // namespace exemptions
 
 /// A word of the program whose effect on a modal group is still in force when the program is left.

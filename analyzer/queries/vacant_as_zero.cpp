@@ -1,4 +1,4 @@
-//! Trial runs, whose unknowns are the same for both contents of the variable.
+//! Trial runs, whose unknowns are the same for both outcomes of the test.
 #include "analyzer/queries/vacant_as_zero.hpp"
 
 #include "analyzer/program/tables.hpp"
@@ -99,17 +99,28 @@ execution::Environment VacancyTrials::environment() {
     return environment;
 }
 
+/// The variable is 0 while the test is computed, and vacant again when it has been.
+void VacancyTrials::observe(execution::Stepper& stepper, const execution::Event& event) {
+    outputs_.observe(stepper, event);
+    blocks_ += std::holds_alternative<execution::BlockBegins>(event) ? 1U : 0U;
+    const auto* compared = std::get_if<execution::Compared>(&event);
+    if (compared == nullptr || !content_ || compared->expression != test_ || stepper.depth() != 0) return;
+    content_.reset();
+    stepper.set(variable_, {});
+}
+
 VacancyTrials::Trial VacancyTrials::run(const dataflow::Comparison& test, Variable variable,
-                                        std::uint64_t number, Content content) {
+                                        std::uint64_t number, Taken taken) {
     number_ = number;
     variable_ = variable;
-    content_ = content;
+    test_ = test.expression;
+    content_ = taken == Taken::for_zero ? Content{0.0} : Content{};
     outputs_ = execution::Outputs(texts_);
     const Program& program = analysis_.program();
     execution::Start start{analysis_.index(), {}, test.effect};
     for (const Local& local : locals_) {
         const std::string name = program.spell(local.variable);
-        start.variables.emplace_back(local.variable, local.variable == variable ? content
+        start.variables.emplace_back(local.variable, local.variable == variable ? content_
                                                      : local.may_be_vacant      ? content_of(name)
                                                                                 : number_of(name));
     }
@@ -123,11 +134,7 @@ std::optional<bool> VacancyTrials::are_alike(const dataflow::Comparison& test, V
         environment_ = environment();
         stepper_.emplace(
             analysis_.workspace(), environment_,
-            [this](const execution::Stepper& at, const execution::Event& event) {
-                outputs_.observe(at, event);
-                blocks_ += std::holds_alternative<execution::BlockBegins>(event) ? 1U : 0U;
-            },
-            bounds);
+            [this](execution::Stepper& at, const execution::Event& event) { observe(at, event); }, bounds);
         numbers_ = numbers_for(analysis_.program());
         for (const Variable local : locals_read_in(analysis_.program())) locals_.push_back({local, false});
     }
@@ -135,15 +142,15 @@ std::optional<bool> VacancyTrials::are_alike(const dataflow::Comparison& test, V
     std::optional<bool> alike;
     for (std::uint64_t number = 0; number < most_trials; ++number) {
         if (blocks_ > most_blocks) return std::nullopt;
-        const Trial vacant = run(test, variable, number, {});
-        const Trial zero = run(test, variable, number, 0.0);
+        const Trial vacant = run(test, variable, number, Taken::for_vacant);
+        const Trial zero = run(test, variable, number, Taken::for_zero);
         if (vacant.is_refused && zero.is_refused) continue; // for something else, or too late to tell
         const bool passes =
             vacant.is_refused &&
             (refused == Refused::is_alike ||
              (refused == Refused::at_once && vacant.outputs.gives_no_more_than(zero.outputs)));
+        if (vacant.is_broken_off && zero.is_broken_off && vacant.outputs.begins_like(zero.outputs)) continue;
         const bool is_alike = passes || vacant.outputs == zero.outputs;
-        if (is_alike && vacant.is_broken_off && zero.is_broken_off) continue;
         if (!is_alike) return false;
         alike = true;
     }

@@ -1,4 +1,4 @@
-//! Whether a program does the same with a vacant variable as with 0.
+//! Whether a program does the same when a test takes a vacant variable for 0.
 #pragma once
 
 #include "analyzer/dataflow/facts/comparison.hpp"
@@ -16,7 +16,8 @@
 
 namespace maclint::queries {
 
-/// Runs a program from tests on, with a variable vacant and with 0, in many states.
+/// Runs a program from tests on, with a variable vacant, and with one that the test takes for 0, in many
+/// states.
 class VacancyTrials {
   public:
     explicit VacancyTrials(const ProgramAnalysis& analysis);
@@ -24,13 +25,14 @@ class VacancyTrials {
     VacancyTrials& operator=(const VacancyTrials&) = delete;
     ~VacancyTrials() = default;
 
-    /// What it means that a run with the variable vacant ends in an alarm of a program where the one with 0
-    /// does not: that it is alike, that it is where nothing else was done before, that it is not.
+    /// What it means that a run with the variable vacant ends in an alarm of a program where one would not in
+    /// which the test takes it for 0: that it is alike, that it is where nothing else was done before, that
+    /// it is not.
     enum class Refused : std::uint8_t { is_alike, at_once, is_different };
 
-    /// Whether the runs in which the variable is vacant gave the machine the same blocks and values as those
-    /// with 0, all else alike. Nothing: no run tells, or enough has been run. States that the program never
-    /// comes to the test in are tried as well.
+    /// Whether the machine is given the same blocks and values, however the test turns out for the vacant
+    /// variable. Nothing: no run tells, or enough has been run. States that the program never comes to the
+    /// test in are tried as well.
     [[nodiscard]] std::optional<bool> are_alike(const dataflow::Comparison& test, Variable variable,
                                                 Refused refused);
 
@@ -47,8 +49,10 @@ class VacancyTrials {
     [[nodiscard]] execution::Environment environment();
     [[nodiscard]] semantics::Content content_of(std::string_view question) const;
     [[nodiscard]] double number_of(std::string_view question) const;
+    enum class Taken : std::uint8_t { for_vacant, for_zero };
     [[nodiscard]] Trial run(const dataflow::Comparison& test, Variable variable, std::uint64_t number,
-                            semantics::Content content);
+                            Taken taken);
+    void observe(execution::Stepper& stepper, const execution::Event& event);
 
     const ProgramAnalysis& analysis_;
     WithoutAssignment unset_;
@@ -59,7 +63,8 @@ class VacancyTrials {
     // Of the trial that runs:
     std::uint64_t number_ = 0;
     Variable variable_{};
-    semantics::Content content_; ///< of the variable, where programs share it
+    ExpressionId test_ = 0;      ///< behind which the variable is vacant again
+    semantics::Content content_; ///< of the variable until then
     execution::Outputs outputs_;
     execution::Environment environment_;
     std::optional<execution::Stepper> stepper_; ///< after the first test that is tried

@@ -64,6 +64,16 @@ M99
 O9501(INTO THE PLANE OF THE ANGLE HEAD)
 G18
 M99
+)nc"}},
+                   {&queries::exemptions::returns_within,
+                    "returns-within",
+                    "M97 runs blocks of the program as a subprogram, whose M99 leads back into the program.",
+                    {"fanuc", R"nc(
+O9501(ROW OF HOLES)
+G90 G0 X0
+M97 P10
+N10 G91 G0 Z1.
+M99
 )nc"}}},
     .sources = {"SEED-001:206,582", "CNCWIKI-SUB", "SEED-001:1344-1354"},
     .check = &check,

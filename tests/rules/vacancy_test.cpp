@@ -314,6 +314,11 @@ TEST(ZeroTest, IsSilentWhereVacantAndZeroLeadToTheSame) {
     EXPECT_THAT(lines_raised("MAC220", "O9001\nIF[#7EQ0]GOTO9\nM#7\nN9M99\n"), IsEmpty());
     EXPECT_THAT(lines_raised("MAC220", "O9001\n#2=5\nIF[#1NE0]THEN#2=#2+#1\nG0X#2\nM99\n"), IsEmpty());
     EXPECT_THAT(lines_raised("MAC220", "O9001\n#2=5\nIF[#1NE0]THEN#2=1+#1\nG0X#2\nM99\n"), ElementsAre(3));
+    // What is vacant goes the same way by the next test, and does something else than 0 later.
+    EXPECT_THAT(lines_raised("MAC220", "O9001\nIF[#5EQ0]GOTO5\nIF[#5EQ#0]GOTO5\nG1X5.\nN5G0X#5\nM99\n"),
+                IsEmpty());
+    EXPECT_THAT(lines_raised("MAC220", "O9001\nIF[#5EQ0]GOTO5\nIF[#6EQ#0]GOTO5\nG1X5.\nN5G0X#5\nM99\n"),
+                ElementsAre(2));
     // The check behind it refuses both.
     const std::string refused = "\nIF[#1LT0.1]GOTO8\nG0X#1\nM99\nN8#3000=1\n";
     EXPECT_THAT(lines_raised("MAC220", "O9001\nIF[#1EQ0]GOTO8" + refused), IsEmpty());
