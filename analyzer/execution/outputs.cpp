@@ -64,15 +64,17 @@ void Outputs::observe(const Stepper& stepper, const Event& event) {
                        note(given_, address == addresses.end() ? std::string_view{} : address->second,
                             *value.content);
                    },
-                   [&](const Stored& stored) {
-                       // Of a local it shows in what is done with it whether it is 0 or vacant.
+                   [&](const execution::Stored& stored) {
                        const bool is_local =
                            stepper.program().control().spaces[stored.variable.space].scope == Scope::frame;
-                       if (is_local ? stored.old.value_or(0) == stored.content.value_or(0)
-                                    : stored.old == stored.content)
-                           return;
-                       note(stored_, {}, static_cast<double>(stored.variable.number));
-                       note(stored_, {}, stored.content.value_or(-0.0)); // no number that is stored is -0
+                       if (is_local && stepper.depth() != 0) return;
+                       const auto seen = [&](Content content) {
+                           return is_local ? Content{content.value_or(0)} : content;
+                       };
+                       const auto key = std::uint64_t{stored.variable.space} << 32U |
+                                        static_cast<std::uint32_t>(stored.variable.number);
+                       stored_.try_emplace(key, Stored{seen(stored.old), {}}).first->second.now =
+                           seen(stored.content);
                    },
                    [&](const ProgramLeft& left) {
                        if (stepper.depth() == 0) left_ = left.how;
@@ -82,12 +84,15 @@ void Outputs::observe(const Stepper& stepper, const Event& event) {
                event);
 }
 
+std::vector<std::pair<std::uint64_t, Content>> Outputs::changed() const {
+    std::vector<std::pair<std::uint64_t, Content>> changed;
+    for (const auto& [key, stored] : stored_)
+        if (stored.before != stored.now) changed.emplace_back(key, stored.now);
+    return changed;
+}
+
 bool Outputs::begins_like(const Outputs& other) const {
-    const auto is_alike = [](const std::vector<Given>& a, const std::vector<Given>& b) {
-        const auto shorter = static_cast<std::ptrdiff_t>(std::min(a.size(), b.size()));
-        return std::equal(a.begin(), a.begin() + shorter, b.begin());
-    };
-    return is_alike(given_, other.given_) && is_alike(stored_, other.stored_);
+    return gives_no_more_than(other) || other.gives_no_more_than(*this);
 }
 
 bool Outputs::gives_no_more_than(const Outputs& other) const {

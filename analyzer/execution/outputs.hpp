@@ -4,9 +4,11 @@
 #include "analyzer/execution/stepper.hpp"
 
 #include <cstdint>
+#include <map>
 #include <optional>
 #include <string_view>
 #include <unordered_map>
+#include <utility>
 #include <vector>
 
 namespace maclint::execution {
@@ -44,18 +46,24 @@ class Outputs {
     void observe(const Stepper& stepper, const Event& event);
 
     friend bool operator==(const Outputs& a, const Outputs& b) {
-        return a.given_ == b.given_ && a.stored_ == b.stored_ && a.left_ == b.left_;
+        return a.given_ == b.given_ && a.left_ == b.left_ && a.changed() == b.changed();
     }
     /// Whether the machine was given nothing in this run that it was not given in the other one, in the same
     /// order, whatever was stored.
     [[nodiscard]] bool gives_no_more_than(const Outputs& other) const;
-    /// Whether the two are the same as far as the shorter one goes.
+    /// Whether the machine was given the same as far as the shorter run goes.
     [[nodiscard]] bool begins_like(const Outputs& other) const;
 
   private:
     WordTexts* texts_;
-    std::vector<Given> given_;    ///< to the machine
-    std::vector<Given> stored_;   ///< in variables
+    struct Stored {
+        Content before, now; ///< of the program's own locals 0 for vacant
+    };
+    /// The variables, by space and number, that hold something else than before.
+    [[nodiscard]] std::vector<std::pair<std::uint64_t, Content>> changed() const;
+
+    std::vector<Given> given_; ///< to the machine
+    std::map<std::uint64_t, Stored> stored_;
     std::optional<Leaving> left_; ///< how the run ended
 };
 
