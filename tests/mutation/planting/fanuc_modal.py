@@ -76,7 +76,7 @@ def saves(program):
 
 def incremental(program):
     """G91 in front of a move, from which a path leads to an exit where nothing says G90 or puts back what was saved."""
-    anew = re.compile(r'G\s*(?:9[01]|\[|#)(?![\d.])')
+    anew = re.compile(r'G\s*(?:9[01](?![\d.])|\[|#)')
     moves = re.compile(r'(?<![A-Z])[XYZ]\s*(?:-?\s*[\d.]+|[-#\[])')
     if not program.is_macro or is_lathe(program):
         return
