@@ -19,11 +19,11 @@ class LoopChanges {
     [[nodiscard]] bool may_change(Variable variable) const {
         return assigned(variable) || clobbered(variable);
     }
+    [[nodiscard]] bool assigned(Variable variable) const;
     /// By something that is no assignment: a call, a store through an index.
     [[nodiscard]] bool clobbered(Variable variable) const;
 
   private:
-    [[nodiscard]] bool assigned(Variable variable) const;
     std::vector<Key> assigned_, clobbered_; ///< sorted
     std::vector<Clobber> spaces_;           ///< that change anything of a space
 };

@@ -21,6 +21,27 @@ constexpr std::size_t work_of_an_expression = 8;
 
 } // namespace
 
+namespace {
+
+void collect(const Program& program, ExpressionId id, std::vector<dataflow::MachineValue>& values) {
+    const auto& node = program.expressions[id].node;
+    if (const auto* owned = std::get_if<LoadMachine>(&node)) values.push_back({owned->family, owned->number});
+    if (const auto* apply = std::get_if<Apply>(&node))
+        for (const ExpressionId operand : program.operands_of(*apply)) collect(program, operand, values);
+}
+
+/// What decides whether a loop goes on: whoever waits for an input expects it to change.
+std::vector<dataflow::MachineValue> awaited_by(const ProgramAnalysis& analysis) {
+    std::vector<dataflow::MachineValue> values;
+    for (const dataflow::Loop& loop : analysis.loops())
+        for (const flow::EdgeId exit : loop.exit_edges)
+            if (const auto& condition = analysis.graph().edges[exit].condition)
+                collect(analysis.program(), *condition, values);
+    return values;
+}
+
+} // namespace
+
 bool acts(const Program& program, const flow::Node& node) {
     if (node.is_run) return true;
     for (Id i = node.effects.first; i < node.effects.first + node.effects.count; ++i) {
@@ -47,7 +68,7 @@ PathRun::PathRun(const ProgramAnalysis& analysis, SearchWork& work, std::size_t 
     }
     std::ranges::sort(asked_groups_);
     asked_groups_.erase(std::ranges::unique(asked_groups_).begin(), asked_groups_.end());
-    transfer_.follow_one_path();
+    transfer_.follow_one_path(awaited_by(analysis));
 }
 
 std::uint64_t hash_mixed(const PathRun::Step& step) {

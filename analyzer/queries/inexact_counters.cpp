@@ -76,19 +76,20 @@ const CounterTest* decisive_test(const ProgramAnalysis& analysis, const dataflow
 std::vector<InexactCounter> find_inexact_counters(const ProgramAnalysis& analysis) {
     std::vector<InexactCounter> found;
     std::unordered_set<const dataflow::Store*> steps;
-    for (const dataflow::Loop& loop : analysis.loops()) {
-        const auto counter = counter_of(analysis, loop);
-        if (!counter || (exemptions::counter_held_at_a_limit.is_on() && !counter->clamps.empty())) continue;
-        const auto inexact = std::ranges::find_if(counter->steps, [&](const dataflow::Store* store) {
+    const auto look_at = [&](const dataflow::Loop& loop, const Counter& counter) {
+        if (exemptions::counter_held_at_a_limit.is_on() && !counter.clamps.empty()) return;
+        const auto inexact = std::ranges::find_if(counter.steps, [&](const dataflow::Store* store) {
             return is_inexact_step(analysis, store->step->amount);
         });
-        if (inexact == counter->steps.end()) continue;
-        const CounterTest* decisive = decisive_test(analysis, loop, *counter);
-        if (decisive == nullptr || !steps.insert(*inexact).second) continue;
+        if (inexact == counter.steps.end()) return;
+        const CounterTest* decisive = decisive_test(analysis, loop, counter);
+        if (decisive == nullptr || !steps.insert(*inexact).second) return;
         InexactCounter one{*inexact, *decisive, {}};
-        for (const CounterTest& test : counter->tests) one.tests.push_back(test.comparison);
+        for (const CounterTest& test : counter.tests) one.tests.push_back(test.comparison);
         found.push_back(std::move(one));
-    }
+    };
+    for (const dataflow::Loop& loop : analysis.loops())
+        for (const Counter& counter : counters_of(analysis, loop)) look_at(loop, counter);
     return found;
 }
 

@@ -5,6 +5,7 @@
 #include "analyzer/dataflow/domain/read_set.hpp"
 
 #include <algorithm>
+#include <cstdint>
 #include <utility>
 
 namespace maclint::queries {
@@ -20,6 +21,9 @@ std::vector<const dataflow::Store*> stores_in(const dataflow::Loop& loop, const 
     return stores;
 }
 
+/// How sure it is that a bound stays as it is.
+enum class Fixed : std::uint8_t { surely, by_the_text };
+
 /// Finds the counter of one loop, or why there is none.
 class CounterSearch {
   public:
@@ -31,27 +35,58 @@ class CounterSearch {
         , loop_(loop) {}
 
     std::optional<Counter> run() {
+        std::optional<Counter> counter;
         for (const flow::EdgeId id : loop_.exit_edges) {
-            const flow::Edge& edge = graph_.edges[id];
-            if (!edge.condition || !add_test(edge)) return std::nullopt;
+            const auto test = test_on(graph_.edges[id], Fixed::surely);
+            if (!test) return std::nullopt;
+            if (!counter) counter = Counter{test->variable, {}, {}, {}};
+            if (!(counter->variable == test->variable)) return std::nullopt;
+            counter->tests.push_back(test->test);
         }
-        if (!counter_ || loop_.changes.clobbered(counter_->variable)) return std::nullopt;
-        for (const dataflow::Store* store : stores_in(loop_, facts_, counter_->variable)) {
-            if (store->step)
-                counter_->steps.push_back(store);
-            else if (is_clamp(*store))
-                counter_->clamps.push_back(store);
-            else
-                return std::nullopt;
+        if (!counter || loop_.changes.clobbered(counter->variable) || !add_steps(*counter))
+            return std::nullopt;
+        return counter;
+    }
+
+    std::vector<Counter> run_for_any() {
+        std::vector<Counter> counters;
+        for (const flow::EdgeId id : loop_.exit_edges) {
+            const auto test = test_on(graph_.edges[id], Fixed::by_the_text);
+            if (!test) continue;
+            auto counter = std::ranges::find(counters, test->variable, &Counter::variable);
+            if (counter == counters.end())
+                counter = counters.insert(counter, Counter{test->variable, {}, {}, {}});
+            counter->tests.push_back(test->test);
         }
-        return counter_->steps.empty() ? std::nullopt : std::move(counter_);
+        std::erase_if(counters, [this](Counter& counter) { return !add_steps(counter); });
+        return counters;
     }
 
   private:
-    [[nodiscard]] bool is_fixed(ExpressionId expression) const {
+    struct TestOf {
+        Variable variable;
+        CounterTest test;
+    };
+
+    /// The assignments to the counter in the loop; false where it has other ones than steps and clamps, or no
+    /// step.
+    bool add_steps(Counter& counter) {
+        for (const dataflow::Store* store : stores_in(loop_, facts_, counter.variable)) {
+            if (store->step)
+                counter.steps.push_back(store);
+            else if (is_clamp(*store))
+                counter.clamps.push_back(store);
+            else
+                return false;
+        }
+        return !counter.steps.empty();
+    }
+
+    [[nodiscard]] bool is_fixed(ExpressionId expression, Fixed fixed) const {
         const dataflow::ReadSet set = dataflow::variables_of(program_, expression);
-        return set.closed && std::ranges::none_of(set.variables, [this](Variable variable) {
-                   return loop_.changes.may_change(variable);
+        return set.closed && std::ranges::none_of(set.variables, [&](Variable variable) {
+                   return fixed == Fixed::surely ? loop_.changes.may_change(variable)
+                                                 : loop_.changes.assigned(variable);
                });
     }
 
@@ -68,10 +103,12 @@ class CounterSearch {
         return std::pair(load->variable, negated);
     }
 
-    bool add_test(const flow::Edge& edge) {
+    /// The test of a counter by which the edge leaves the loop.
+    [[nodiscard]] std::optional<TestOf> test_on(const flow::Edge& edge, Fixed fixed) const {
+        if (!edge.condition) return std::nullopt;
         const auto comparisons = facts_.in<dataflow::Comparison>(edge.from);
         const auto found = std::ranges::find(comparisons, *edge.condition, &dataflow::Comparison::expression);
-        if (found == comparisons.end() || !dataflow::is_comparison(found->operation)) return false;
+        if (found == comparisons.end() || !dataflow::is_comparison(found->operation)) return std::nullopt;
         // The exit is taken when the comparison `holds`; the loop goes on otherwise.
         Operation stays = edge.holds ? dataflow::opposite(found->operation) : found->operation;
         ExpressionId bound = found->right_expression;
@@ -83,12 +120,9 @@ class CounterSearch {
             bound_value = &found->left;
             stays = dataflow::mirrored(stays);
         }
-        if (!variable || !is_fixed(bound)) return false;
+        if (!variable || !is_fixed(bound, fixed)) return std::nullopt;
         if (variable->second) stays = dataflow::mirrored(stays);
-        if (!counter_) counter_ = Counter{variable->first, {}, {}, {}};
-        if (!(counter_->variable == variable->first)) return false;
-        counter_->tests.push_back({&*found, stays, bound, bound_value});
-        return true;
+        return TestOf{variable->first, {&*found, stays, bound, bound_value}};
     }
 
     /// IF[#13GT#26]THEN#13=#26
@@ -106,13 +140,16 @@ class CounterSearch {
     const flow::Graph& graph_;
     const dataflow::Facts& facts_;
     const dataflow::Loop& loop_;
-    std::optional<Counter> counter_;
 };
 
 } // namespace
 
 std::optional<Counter> counter_of(const ProgramAnalysis& analysis, const dataflow::Loop& loop) {
     return CounterSearch(analysis.program(), analysis.graph(), analysis.facts(), loop).run();
+}
+
+std::vector<Counter> counters_of(const ProgramAnalysis& analysis, const dataflow::Loop& loop) {
+    return CounterSearch(analysis.program(), analysis.graph(), analysis.facts(), loop).run_for_any();
 }
 
 } // namespace maclint::queries

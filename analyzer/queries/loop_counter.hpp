@@ -19,10 +19,10 @@ struct CounterTest {
     const dataflow::Value* bound_value;
 };
 
-/// A variable that alone decides when a loop ends.
+/// A variable that decides when a loop ends.
 struct Counter {
     Variable variable;
-    std::vector<CounterTest> tests;            ///< one for every exit, at least one
+    std::vector<CounterTest> tests;            ///< one for every exit that it decides, at least one
     std::vector<const dataflow::Store*> steps; ///< v = v + amount, at least one
     std::vector<const dataflow::Store*>
         clamps; ///< other assignments, each guarded by a condition on the variable
@@ -30,5 +30,9 @@ struct Counter {
 
 /// The counter of one of the program's loops; nothing when something else has a say in the loop's end.
 [[nodiscard]] std::optional<Counter> counter_of(const ProgramAnalysis& analysis, const dataflow::Loop& loop);
+
+/// Variables by each of which the loop may end, whatever else ends it and whatever a called program may do to
+/// them.
+[[nodiscard]] std::vector<Counter> counters_of(const ProgramAnalysis& analysis, const dataflow::Loop& loop);
 
 } // namespace maclint::queries

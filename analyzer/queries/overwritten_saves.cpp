@@ -20,13 +20,32 @@ struct Saved {
     flow::NodeId node; ///< in which the variable got it
 };
 
-/// The modal value that the variable held just before the assignment, when it was a saved one.
-std::optional<Saved> saved_before(const ProgramAnalysis& analysis, const dataflow::Store& store) {
-    const dataflow::Store* save = store_of(analysis, store.old);
-    if (save == nullptr) return std::nullopt;
-    const auto source = copy_source(analysis, save->expression, save->value);
+std::optional<Saved> saved_by(const ProgramAnalysis& analysis, const dataflow::Store& save) {
+    const auto source = copy_source(analysis, save.expression, save.value);
     if (!source || !source->group) return std::nullopt;
-    return Saved{*source, save->node};
+    return Saved{*source, save.node};
+}
+
+/// Whether the control can come from the assignment to the node while the variable keeps what it stores.
+bool reaches(const ProgramAnalysis& analysis, const dataflow::Store& store, flow::NodeId node) {
+    std::vector<flow::NodeId> others;
+    const auto all = analysis.facts().about<dataflow::Store>(store.variable);
+    if (!WorkLimit::allows(all.size())) return false;
+    for (const dataflow::Store* other : all)
+        if (other->node != store.node && other->node != node) others.push_back(other->node);
+    return store.node != node && can_follow(analysis, store.node, node, others);
+}
+
+/// The modal value that the variable held just before the assignment, when it was a saved one: in a loop,
+/// before its first round.
+std::optional<Saved> saved_before(const ProgramAnalysis& analysis, const dataflow::Store& store) {
+    if (const dataflow::Store* save = store_of(analysis, store.old)) return saved_by(analysis, *save);
+    for (const dataflow::Store* save : analysis.facts().about<dataflow::Store>(store.variable)) {
+        if (!WorkLimit::allows()) break;
+        const auto saved = saved_by(analysis, *save);
+        if (saved && reaches(analysis, *save, store.node)) return saved;
+    }
+    return std::nullopt;
 }
 
 /// Whether the word would have put the saved value back.
@@ -54,17 +73,6 @@ PutBack values_put_back(const ProgramAnalysis& analysis) {
     return found;
 }
 
-/// Whether the control can come from the assignment to the word while the variable keeps what it stores.
-bool reaches(const ProgramAnalysis& analysis, const dataflow::Store& store,
-             const dataflow::ModalWrite& write) {
-    std::vector<flow::NodeId> others;
-    const auto all = analysis.facts().about<dataflow::Store>(store.variable);
-    if (!WorkLimit::allows(all.size())) return false;
-    for (const dataflow::Store* other : all)
-        if (other->node != store.node) others.push_back(other->node);
-    return store.node != write.node && can_follow(analysis, store.node, write.node, others);
-}
-
 /// The assignment that surely made the value of the word; where several may have, each that does on some
 /// path.
 std::vector<const dataflow::Store*> stores_for(const ProgramAnalysis& analysis,
@@ -76,7 +84,7 @@ std::vector<const dataflow::Store*> stores_for(const ProgramAnalysis& analysis,
     }
     for (const dataflow::Store* store : analysis.facts().about<dataflow::Store>(variable)) {
         if (!WorkLimit::allows()) break;
-        if (saved_before(analysis, *store) && reaches(analysis, *store, write)) stores.push_back(store);
+        if (saved_before(analysis, *store) && reaches(analysis, *store, write.node)) stores.push_back(store);
     }
     return stores;
 }

@@ -63,30 +63,51 @@ class SetSomewhere {
   public:
     explicit SetSomewhere(const Program& program)
         : program_(program) {}
-    [[nodiscard]] bool has(Variable variable) {
-        if (!variables_) collect();
-        return variables_->contains(variable);
+    [[nodiscard]] bool has(Variable variable) { return collected().contains(variable); }
+    /// Each of its assignments only adds to what it holds: none is a first value.
+    [[nodiscard]] bool is_only_counted(Variable variable) {
+        const auto found = collected().find(variable);
+        return found != collected().end() && found->second;
     }
 
   private:
-    void collect() {
+    using Counted = std::unordered_map<Variable, bool, VariableHash>;
+
+    [[nodiscard]] const Counted& collected() {
+        if (variables_) return *variables_;
         variables_.emplace();
         for (const Effect& effect : program_.effects) {
             const auto* assign = std::get_if<Assign>(&effect.what);
             const auto* target = assign == nullptr ? nullptr : std::get_if<Variable>(&assign->target);
-            if (target != nullptr) variables_->insert(*target);
+            if (target == nullptr) continue;
+            const auto [found, fresh] = variables_->try_emplace(*target, true);
+            found->second = found->second && adds_to(*target, assign->value);
         }
+        return *variables_;
+    }
+
+    [[nodiscard]] bool adds_to(Variable variable, ExpressionId value) const {
+        const auto* apply = std::get_if<Apply>(&program_.expressions[value].node);
+        if (apply == nullptr ||
+            (apply->operation != Operation::add && apply->operation != Operation::subtract))
+            return false;
+        return std::ranges::any_of(program_.operands_of(*apply), [&](ExpressionId operand) {
+            const auto* load = std::get_if<Load>(&program_.expressions[operand].node);
+            return load != nullptr && load->variable == variable;
+        });
     }
 
     const Program& program_;
-    std::optional<Variables> variables_; ///< nothing: nobody has asked
+    std::optional<Counted> variables_; ///< nothing: nobody has asked
 };
 
-/// A comparison may be the very test that takes care of vacancy: of a flag that only some paths set.
+/// A comparison may be the very test that takes care of vacancy: of a flag that only some paths set. Of a
+/// counter without a first value it is none: the loop is never run.
 bool may_be_a_test(const ProgramAnalysis& analysis, const dataflow::Read& read, SetSomewhere& set) {
     return exemptions::compared_as_a_test.is_on() && read.use == dataflow::Use::comparison &&
            may_hold_vacant(analysis.program(), read.variable) &&
-           (read.value.vacancy == dataflow::Vacancy::maybe || set.has(read.variable));
+           (read.value.vacancy == dataflow::Vacancy::maybe ||
+            (set.has(read.variable) && !set.is_only_counted(read.variable)));
 }
 
 /// #33=#33+1: arithmetic takes vacant for 0, and counting from there is a custom.

@@ -13,7 +13,7 @@ namespace {
 using semantics::Content;
 
 constexpr execution::Bounds of_a_run{.steps = 4000, .depth = 6};
-constexpr std::size_t most_runs = 4000, most_blocks = 1'000'000; // of a search
+constexpr std::size_t most_runs = 4000, most_blocks = 400'000; // of a search
 /// Where a run went wrong stands near its end.
 constexpr std::size_t tail = 16;
 /// Sizes that programs for parts reckon with, beside the numbers in their texts.
@@ -132,7 +132,9 @@ void StartSearch::search(const ProgramAnalysis& analysis) {
     const ChangedLines none{std::string(analysis.source()->path()), {}, {}};
     std::set<std::pair<std::uint32_t, std::uint32_t>> known;
     std::size_t blocks = 0;
-    for (std::size_t i = 0; i < most_runs && blocks < most_blocks; ++i) {
+    // What is told decides where a run leads: without it one run is like another.
+    const std::size_t runs = std::min(most_runs, 60 + 150 * tellable_.size());
+    for (std::size_t i = 0; i < runs && blocks < most_blocks; ++i) {
         const bool vary = !found_.empty() && i > 20 && below(5) != 0;
         // What was found last leads on mostly.
         const std::size_t kept = found_.size();
@@ -151,7 +153,7 @@ void StartSearch::search(const ProgramAnalysis& analysis) {
                               {done.blocks.begin(), done.blocks.end()},
                               {done.blocks.end() - std::min<std::ptrdiff_t>(std::ssize(done.blocks), tail),
                                done.blocks.end()}});
-        else if (any_.size() < most_any && !vary)
+        else if (any_.size() < (tellable_.empty() ? most_any / 4 : most_any) && !vary)
             any_.push_back(std::move(start));
     }
 }

@@ -104,6 +104,30 @@ TEST(InexactCounter, LosesOrDoublesItsLastPass) {
                 ElementsAre(4));
 }
 
+TEST(InexactCounter, LosesAPassWhateverElseEndsTheLoop) {
+    EXPECT_THAT(lines_raised("MAC711",
+                             "O9001\n#33=0\nWHILE[#33LE1]DO1\nIF[#1004EQ1]GOTO9\n#33=#33+0.1\nEND1\n"
+                             "#3000=1\nN9M99\n"),
+                ElementsAre(5));
+    EXPECT_THAT(lines_raised("MAC711",
+                             "O9001\n#33=0\nN1G4X1.\nIF[#1004EQ1]GOTO9\n#33=#33+.05\nIF[#33LT4]GOTO1\n"
+                             "#3000=1\nN9M99\n"),
+                ElementsAre(5));
+}
+
+TEST(InexactCounter, MayBeStoredInByACalledProgram) {
+    EXPECT_THAT(
+        lines_raised("MAC711", "O9001\n#33=0\nWHILE[#33LT1]DO1\nM98P7\n#33=#33+0.1\nEND1\nG0X#24\nM99\n"),
+        ElementsAre(5));
+    EXPECT_THAT(
+        lines_raised("MAC711", "O9001\n#33=0\nWHILE[#33LT#501]DO1\nG65P7\n#33=#33+0.1\nEND1\nG0X#24\nM99\n"),
+        ElementsAre(5));
+    // What the text changes is another matter: nobody knows how far it is.
+    EXPECT_THAT(
+        lines_raised("MAC711", "O9001\n#33=0\nWHILE[#33LT#501]DO1\n#501=#501+0.1\n#33=#33+0.1\nEND1\nM99\n"),
+        IsEmpty());
+}
+
 TEST(InexactCounter, IsHarmlessWhenExactClampedOrWithRoomAtItsEnd) {
     EXPECT_THAT(lines_raised("MAC711", "O9001\n#33=0.025\nWHILE[#33LE1.075]DO1\n#33=#33+0.1\nEND1\nM99\n"),
                 IsEmpty());

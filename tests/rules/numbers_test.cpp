@@ -554,5 +554,16 @@ TEST(FloatEquality, OfASumOfTwoWrittenNumbersIsExactWhereItIsTheWrittenSum) {
     EXPECT_THAT(lines_raised("MAC710", "O9001\nIF[#5004EQ[-0.642+#500]]GOTO9\nN9 M99\n"), ElementsAre(2));
 }
 
+TEST(InputOfTheMachine, ChangesWhereALoopWaitsForIt) {
+    const std::string later = "N81G31X1.\nIF[#1006EQ1]GOTO230\n#3000=10\nN230#734=[#732+#733]/0\nM99\n";
+    EXPECT_THAT(
+        lines_raised("MAC702", "O8750\nIF[#1006EQ1]GOTO72\nGOTO81\nN72M1\nIF[#1006EQ1]GOTO72\n" + later),
+        ElementsAre(9));
+    // Whoever only asks one twice takes it for a switch.
+    EXPECT_THAT(lines_raised("MAC702", "O8750\nIF[#1006EQ1]GOTO81\nM30\nN81G31X1.\nIF[#1006EQ1]GOTO230\n"
+                                       "#734=[#732+#733]/0\nN230M99\n"),
+                IsEmpty());
+}
+
 } // namespace
 } // namespace maclint

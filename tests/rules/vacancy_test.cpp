@@ -57,6 +57,16 @@ TEST(Messages, NameTheArgumentOfAMacroBesideItsVariable) {
                 ElementsAre(HasSubstr("takes a vacant #6 (K) for 0, and #6 (K) is used")));
 }
 
+TEST(UninitialisedLocal, WithoutAFirstValueKeepsALoopFromItsFirstPass) {
+    const std::string down = "WHILE[#5GT0]DO1\nG1Z#5F100\n#5=#5-1\nEND1\nM30\n";
+    EXPECT_THAT(lines_raised("MAC209", "O1\n#6=3\n" + down), ElementsAre(3));
+    EXPECT_THAT(lines_raised("MAC209", "O1\n#5=3\n" + down), IsEmpty());
+    // What is compared before it is set for the first time may be a flag.
+    EXPECT_THAT(lines_raised("MAC209", "O1\nIF[#5GT0]GOTO2\n#5=1\nN2G0X1.\nM30\n"), IsEmpty());
+    // Up from vacant is up from 0.
+    EXPECT_THAT(lines_raised("MAC209", "O1\nWHILE[#5LT3]DO1\n#5=#5+1\nEND1\nM30\n"), IsEmpty());
+}
+
 TEST(UninitialisedLocal, SetOnOneWayOnlyIsToldWithTheOtherWay) {
     const std::string text = "O1\nIF[#1004EQ1]GOTO3\n#31=5\nN3 G0 X#31\nM30\n";
     EXPECT_THAT(messages_raised("MAC209", text), ElementsAre(HasSubstr("here, depending on #1004")));

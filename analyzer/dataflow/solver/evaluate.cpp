@@ -73,8 +73,10 @@ Value Transfer::machine_value(FamilyId family, std::int32_t number, ExpressionId
         value.exactness = Exactness::exact;
     }
     if (follows_one_path_) {
-        // Inputs change by themselves, too; whoever asks one twice takes it to stay as it is.
-        const bool moves_on = range->changes_by_itself && !range->is_bit;
+        // Inputs change by themselves, too; whoever asks one twice takes it to stay as it is, unless he waits
+        // for it.
+        const bool awaited = std::ranges::find(awaited_, MachineValue{family, number}) != awaited_.end();
+        const bool moves_on = range->changes_by_itself && (!range->is_bit || awaited);
         const bool stored = range->on_write == OnWrite::store;
         const std::uint64_t name = side_by_side(family, static_cast<std::uint32_t>(number));
         value.symbol =

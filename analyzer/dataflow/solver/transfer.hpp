@@ -8,9 +8,11 @@
 #include "analyzer/dataflow/solver/summary.hpp"
 #include "analyzer/program/modal_groups.hpp"
 
+#include <cstdint>
 #include <optional>
 #include <span>
 #include <unordered_map>
+#include <utility>
 #include <vector>
 
 namespace maclint {
@@ -18,6 +20,13 @@ struct VariableRange;
 } // namespace maclint
 
 namespace maclint::dataflow {
+
+/// A value that the machine owns, `number` in its family.
+struct MachineValue {
+    FamilyId family;
+    std::int32_t number;
+    friend bool operator==(const MachineValue&, const MachineValue&) = default;
+};
 
 class Transfer {
   public:
@@ -28,8 +37,12 @@ class Transfer {
     void record_in(FactLists* facts) { facts_ = facts; }
 
     /// From now on a value of the machine has the same symbol wherever it is read, until it is stored or,
-    /// where it changes by itself, until the machine does something: right for who follows one path.
-    void follow_one_path() { follows_one_path_ = true; }
+    /// where it changes by itself, until the machine does something: right for who follows one path. An input
+    /// does so only when it is one of `awaited`.
+    void follow_one_path(std::vector<MachineValue> awaited) {
+        follows_one_path_ = true;
+        awaited_ = std::move(awaited);
+    }
     /// The last node of the path that moved the machine, called a program or waited; and that stored in a
     /// value of the machine.
     struct MachineTime {
@@ -155,6 +168,7 @@ class Transfer {
     std::optional<Compared> compared_;
     bool in_chain_ = false; ///< conditions of an AND or OR are asked one after the other
     bool follows_one_path_ = false;
+    std::vector<MachineValue> awaited_; ///< inputs that some loop waits for
     std::size_t evaluated_ = 0;
     MachineTime machine_time_;
     bool follows_calls_ = true;

@@ -18,6 +18,7 @@ WHILE = re.compile(r'WHILE\s*\[')
 DO = re.compile(r'DO\s*(\d+)')
 END = re.compile(r'END\s*(\d+)')
 CALL = re.compile(r'(M\s*0*9[78]|G\s*0*65|G\s*0*66(?:\.1)?)(?![\d.])')
+OWN_CODE = re.compile(r'G\s*[1-9]\d\d(?![\d.])')  # of the machine's maker: mostly a macro of his
 NUMBER_CALLED = re.compile(r'P\s*(\d+)(?![\d.])')
 RETURN = re.compile(r'M\s*0*99(?!\d)')
 PROGRAM_END = re.compile(r'M\s*0*(?:30|2)(?!\d)')
@@ -56,6 +57,10 @@ class Block:
     @property
     def is_call(self):
         return CALL.search(self.code) is not None
+
+    @property
+    def may_call(self):
+        return self.is_call or OWN_CODE.search(self.code) is not None
 
     @property
     def uses_frame_of_caller(self):

@@ -5,6 +5,7 @@ from .edit import drop, put
 from .fanuc import ALARM, CALL, NUMBER_CALLED, PROGRAM_END, RETURN, closing
 from .flow import reads_arguments, unreached, variables_in
 
+WITHIN = re.compile(r'M\s*0*97')  # P is a block of the program itself
 MODAL = re.compile(r'G\s*66(?:\.1)?(?![\d.])')
 CANCEL = re.compile(r'G\s*67(?![\d.])')
 
@@ -22,7 +23,7 @@ def plants(program, numbers, callers):
     for index, block in enumerate(program.blocks):
         reason = unreached(program, index)
         call, number = CALL.search(block.code), NUMBER_CALLED.search(block.code)
-        if call and number:
+        if call and number and not WITHIN.match(call.group()):
             called = int(number.group(1))
             if called in numbers:
                 yield 'program-missing', put(block, number.span(1), str(missing(called, numbers))), reason

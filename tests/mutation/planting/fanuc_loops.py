@@ -114,7 +114,7 @@ def why_it_still_ends(program, start, counter, numbers, callees):
         if block.stores_anywhere:
             return 'a store through a variable may reach the counter'
         called = NUMBER_CALLED.search(block.code)
-        if block.is_call and (called is None or int(called.group(1)) not in numbers):
+        if block.may_call and (called is None or int(called.group(1)) not in numbers):
             return 'a called program that is not there may stop'
         if block.is_call and may_stop_by_the_machine(callees.get(int(called.group(1)))):
             return 'a called program may stop, and reads the machine or waits'

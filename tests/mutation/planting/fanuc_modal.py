@@ -76,7 +76,7 @@ def saves(program):
 
 def incremental(program):
     """G91 in front of a move, from which a path leads to an exit where nothing says G90 or puts back what was saved."""
-    anew = re.compile(r'G\s*(?:9[01]|\[|#)(?![\d.])')
+    anew = re.compile(r'G\s*(?:9[01](?![\d.])|\[|#)')
     moves = re.compile(r'(?<![A-Z])[XYZ]\s*(?:-?\s*[\d.]+|[-#\[])')
     if not program.is_macro or is_lathe(program):
         return
@@ -141,7 +141,7 @@ def modes_left(program, variable, codes, customary):
             block = program.blocks[index]
             found = [(m.start(), m.group(1)) for m in literal.finditer(block.code) if (index, m.start()) != without]
             found += [(m.start(), 'caller') for m in copied.finditer(block.code) if (index, m.start()) != without]
-            if block.is_call:
+            if block.may_call:
                 return {'unknown'}
             new = {max(found)[1]} if found else held
             return new | held if block.conditional else new
@@ -176,7 +176,7 @@ def words_left(program, letter, source, kind):
             back = restored.search(block.code)
             if back and index != without:
                 return {'caller'}
-            if block.is_call:
+            if block.may_call:
                 return {'unknown'}
             changed = any_word.search(block.code) and not back and not CALL.search(block.code)
             return {'own'} | (held if block.conditional else set()) if changed else held
@@ -208,7 +208,7 @@ def cancels_removed(program):
         def change(without, off=off, on=on, motion=motion):
             def after(index, held):
                 block = program.blocks[index]
-                if block.is_call:
+                if block.may_call:
                     return {'unknown'}
                 if on.search(block.code):
                     return {'on'} | (held if block.conditional else set())
@@ -231,7 +231,7 @@ def single_block(program):
 
         def change(without, store=store):
             def after(index, held):
-                if program.blocks[index].is_call:
+                if program.blocks[index].may_call:
                     return {'unknown'}
                 match = store.search(program.blocks[index].code.rstrip())
                 if not match or index == without:

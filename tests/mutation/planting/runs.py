@@ -8,7 +8,7 @@ from pathlib import Path
 from .plants import KINDS
 
 READ_ALONE = ('spelling', 'forms', 'DIN PLUS')  # groups whose plants no control runs
-STATE = ('saved state',)  # groups whose plants are defects by what is left at the end
+LEFT_OVER = ('incremental-left', 'mode-left', 'feed-left', 'speed-left', 'cancel-removed')  # defects by what is left at the end
 SAME = 'the runs do the same'
 SAME_STATE = 'the runs leave the same modal state'
 UNREACHED = 'no path leads to it'
@@ -68,6 +68,6 @@ def reason(plant, answer):
         return UNREACHED if 'unreachable' in shown else 'a block before it cannot be read' if 'unreadable' in shown else ''
     if 2 * int(numbers['led']) < int(numbers['lines']):
         return ''  # too little of the program was run
-    if KINDS[plant.kind].group in STATE and 'codes' not in shown:
+    if (KINDS[plant.kind].group == 'saved state' or plant.kind in LEFT_OVER) and 'codes' not in shown:
         return SAME_STATE
     return '' if {'values', 'codes', 'variables'} & set(shown) else SAME

@@ -24,6 +24,8 @@ def names_in(code):
     found |= {('O', int(a or b)) for a, b in PROGRAM.findall(code)}
     for number in CODE.findall(code):
         found |= {('G', index) for index, group in enumerate(GROUPS) if number in group}
+    if CALL.search(code):
+        found |= {('#', LETTER[letter]) for letter in re.findall(r'(?<![A-Z])([A-Z])\s*-?[#\[\d.]', code) if letter in LETTER}
     found |= {('word', letter) for letter in re.findall(r'(?<![A-Z])([FS])\s*-?[#\[\d.]', code)}
     return found
 
@@ -38,8 +40,20 @@ def lines_that_show(lines, changes, group):
         if names_in(code) & named or (group in MODAL and (leaves or COPIED.search(code))) or (group == 'calls' and leaves):
             shown.add(line + 1)
     if group == 'calls':
-        shown.add(max((line + 1 for line, code in enumerate(codes) if code.replace('%', '').strip()), default=1))
+        shown |= {line + 1 for line in last_lines(codes, changes)}
     return shown
+
+
+def last_lines(codes, changes):
+    """The last block of each program without what is changed: there the control runs off."""
+    last, found = None, set()
+    for line, code in enumerate([*codes, 'O0']):
+        code = code_of(changes.get(line, code)) if line < len(codes) else code
+        if re.match(r'\s*[O:]\s*\d', code) and last is not None:
+            found.add(last)
+        if code.replace('%', '').strip():
+            last = line
+    return found
 
 
 def is_shown_elsewhere(line, group):
