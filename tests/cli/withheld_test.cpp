@@ -122,8 +122,9 @@ TEST_F(Held, IsExplained) {
 
 /// MAC702 yields to MAC210 where that speaks, which it does not.
 TEST(Withheld, OwnsNoCauseOfAnotherRule) {
-    const LintedText text{"O0210.nc", "O0210(PLATE)\nG65P9210Z-5.\nM30\nO9210(DRILL, Z R)\nIF[#18GT10.]GOTO9\n"
-                                      "#1=5/#18\nG90G1Z[#26+#1]F100.\nM99\nN9#3000=1(R TOO HIGH)\n"};
+    const LintedText text{"O0210.nc",
+                          "O0210(PLATE)\nG65P9210Z-5.\nM30\nO9210(DRILL, Z R)\nIF[#18GT10.]GOTO9\n"
+                          "#1=5/#18\nG90G1Z[#26+#1]F100.\nM99\nN9#3000=1(R TOO HIGH)\n"};
     const auto listed = lint_texts({text}, {}, {.withheld = Withheld::listed});
     EXPECT_THAT(codes(listed), ElementsAre("MAC702"));
     EXPECT_EQ(listed.findings.size(), 2U);
