@@ -159,6 +159,16 @@ TEST_F(Withholding, NamesEachExemptionThatWouldDo) {
     EXPECT_EQ(withheld.front().withheld, first | third);
 }
 
+TEST_F(Withholding, LeavesOutWhatIsSilentAnyway) {
+    const auto withheld = withheld_findings(rule_, 0, [&](ExemptionBits off) {
+        std::vector<Finding> found;
+        if (off != 0) found.push_back(at(3));
+        for (Finding& finding : found) finding.is_silent = true;
+        return found;
+    });
+    EXPECT_THAT(withheld, IsEmpty());
+}
+
 TEST_F(Withholding, NamesAllWhereNoneDoesAlone) {
     const auto withheld = withheld_findings(rule_, 0, [&](ExemptionBits off) {
         return (off & (first | second)) != 0 ? std::vector{at(3)} : std::vector<Finding>();

@@ -97,6 +97,22 @@ TEST(Calls, ALetterThatOnlyACallerWithAChoicePassesMayBeThere) {
     EXPECT_EQ(vacancy("M98P9000"), dataflow::Vacancy::unknown);
 }
 
+TEST(Calls, WhatIsAddedToANumberFillsItsZeros) {
+    const auto may_be_called = [](const std::string& number, const std::string& called) {
+        const auto workspace =
+            test::analyse_fanuc("O1\nM98P[" + number + "]\nM30\nO" + called + "\nG0X1.\nM99\n");
+        return program(*workspace, "O" + called, "test.nc").has_possible_callers();
+    };
+    for (const char* within : {"7100", "7101", "7199"})
+        EXPECT_TRUE(may_be_called("7100+#501", within)) << within;
+    for (const char* beyond : {"7099", "7200"}) EXPECT_FALSE(may_be_called("7100+#501", beyond)) << beyond;
+    EXPECT_TRUE(may_be_called("#501+2000", "2999"));
+    EXPECT_FALSE(may_be_called("#501+2000", "3000"));
+    EXPECT_TRUE(may_be_called("7101+#501", "9000")) << "there is no zero that tells";
+    EXPECT_TRUE(may_be_called("7101-#501", "7000")) << "no sum";
+    EXPECT_TRUE(may_be_called("0+#501", "5"));
+}
+
 TEST(Calls, ALetterThatIsGivenTwiceIsPassedByOneCaller) {
     EXPECT_EQ(read_in_macro(
                   {{"main.nc", "O1\nG65P9000X1.X2.\nG65P9000\nM30\n"}, {"macro.nc", "O9000\nG0X#24\nM99\n"}},
