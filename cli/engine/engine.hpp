@@ -10,6 +10,7 @@
 #include <cstddef>
 #include <memory>
 #include <stop_token>
+#include <utility>
 #include <vector>
 
 namespace maclint::cli {
@@ -41,7 +42,7 @@ struct EngineOptions {
 class Engine {
   public:
     Engine(EngineOptions options, Progress& progress)
-        : options_(options)
+        : options_(std::move(options))
         , progress_(progress)
         , store_(options.kept_bytes) {}
 
