@@ -26,8 +26,8 @@ using dataflow::Use;
 using dataflow::Vacancy;
 using dataflow::Value;
 
-/// So many nodes behind a test are looked at for a use.
-constexpr std::size_t most_nodes = 2000;
+/// So many nodes behind a test are looked at for a use, and so many before it for a way to it.
+constexpr std::size_t most_nodes = 2000, most_nodes_before = 20'000;
 
 class VacantPath {
   public:
@@ -45,7 +45,8 @@ class VacantPath {
         pending_.assign(1, 0);
         seen_.assign(seen_.size(), false);
         seen_[0] = true;
-        for (std::size_t next = 0; next < pending_.size() && !seen_[test_.node]; ++next)
+        for (std::size_t next = 0; next < std::min(pending_.size(), most_nodes_before) && !seen_[test_.node];
+             ++next)
             if (!sets_variable(pending_[next])) take_edges(pending_[next]);
         return seen_[test_.node];
     }

@@ -318,8 +318,9 @@ TEST(SavedValue, OverwrittenBeforeItIsPutBackIsLost) {
     EXPECT_THAT(lines_raised("MAC506", "O9001\n#1=#4001\nG1 X1\n#1=#1+#2\nG#1\nM99\n"), ElementsAre(4));
     EXPECT_THAT(lines_raised("MAC506", "O9001\n#1=#4109\nG1 X1 F50\n#1=7\nF#1\nM99\n"), ElementsAre(4));
     // In a loop, where it holds the saved value only the first time.
-    EXPECT_THAT(lines_raised("MAC506", "O9001\n#29=#4003\n#27=1\nWHILE[#27LE#100]DO1\nG91X1.\n#29=#27+1\n#27=#27+1\n"
-                                       "END1\nG#29\nM99\n"),
+    EXPECT_THAT(lines_raised("MAC506",
+                             "O9001\n#29=#4003\n#27=1\nWHILE[#27LE#100]DO1\nG91X1.\n#29=#27+1\n#27=#27+1\n"
+                             "END1\nG#29\nM99\n"),
                 ElementsAre(6));
 }
 
