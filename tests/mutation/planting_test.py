@@ -5,7 +5,7 @@ import unittest
 from pathlib import Path
 
 from planting import (dinplus, edit, fanuc, fanuc_calls, fanuc_conditions, fanuc_forms, fanuc_jumps, fanuc_loops, fanuc_modal,
-                      fanuc_numbers, fanuc_saved, fanuc_variables, report, shows)
+                      fanuc_numbers, fanuc_saved, fanuc_variables, report, runs, shows)
 from planting.callers import Callers
 from planting.judge import Judge
 from planting.plants import KINDS, Plant
@@ -255,6 +255,10 @@ class Calls(unittest.TestCase):
     def test_a_letter_that_the_callee_reckons_with(self):
         self.assertEqual(self.plants('letter-left-out', self.MAIN, 'O2\nG0Z[#26+5.]\nM99'), [({1: 'G65P2X1.'}, '')])
 
+    def test_a_call_of_blocks_of_the_program_itself_is_no_place(self):
+        self.assertEqual(self.plants('recursion', 'O1\nM97P20\nM30\nN20G0X1.\nM99'), [])
+        self.assertEqual(self.plants('recursion', 'O1\nM98P20\nM30'), [({1: 'M98P1'}, '')])
+
     def test_a_letter_that_the_callee_tests_may_be_left_out(self):
         self.assertEqual(self.plants('letter-left-out', self.MAIN, 'O2\nIF[#26EQ#0]THEN#26=1.\nG0Z[#26+5.]\nM99'), [])
 
@@ -371,6 +375,10 @@ class Lines(unittest.TestCase):
         self.assertEqual(shows.lines_that_show(lines, {4: ''}, 'loops'), {3, 5})
         self.assertEqual(shows.lines_that_show(lines, {3: ''}, 'calls'), {4, 6, 7})
 
+    def test_what_runs_off_shows_at_the_last_block_of_its_program(self):
+        lines = 'O1\nG0X1.\nM99\nO2\nG0X2.\nM30\n%'.split('\n')
+        self.assertEqual(shows.lines_that_show(lines, {2: ''}, 'calls'), {2, 3, 6})
+
     def test_modal_state_shows_at_the_exits_and_at_what_puts_back(self):
         lines = 'O1\n#3=#4003\nG91\nG0Z1.\nG#3\nM99'.split('\n')
         self.assertEqual(shows.lines_that_show(lines, {2: 'G90'}, 'saved state'), {3, 5, 6})
@@ -451,6 +459,20 @@ class Judging(unittest.TestCase):
     def test_a_finding_of_another_class_is_no_find(self):
         self.assertEqual(self.verdicts([Plant('step-removed', Path('own/row'), {2: 'IF[#24EQ#0]GOTO8'}, before=[''])]), ['missed'])
 
+    def test_a_finding_on_a_line_that_shows_nothing_is_no_find(self):
+        lines = DRILL.split('\n')
+        plant = Plant('step-removed', Path('own/row'), {10: ''}, before=[lines[10]])
+        self.assertEqual(self.verdicts([plant]), ['found'])
+        self.corpora['own'].shown = lambda plant: {3}
+        self.assertEqual(self.verdicts([plant]), ['missed'])
+
+    def test_a_program_for_another_control_is_not_linted(self):
+        file = self.corpora['own'].files[Path('row')]
+        file.text = '%\nO0019 ; Number of the program\nG0 G17 G40 ; Takes the plane (G17), and no radius\n' \
+                    '; Takes no length, and the first (G54) of the offsets\n#1=-5 ; Depth\nG65 P9810 Z#1 ; Measures\n' \
+                    'IF[#1EQ1]GOTO5\nN5 M30 ; Ends it\n%'
+        self.assertEqual(self.verdicts([Plant('goto-nowhere', Path('own/row'), {6: 'IF[#1EQ1]GOTO6'}, before=[''])]), ['not linted'])
+
     def test_what_was_known_before_is_no_place(self):
         plant = Plant('goto-nowhere', Path('own/row'), {2: 'IF[#24EQ#0]GOTO8'}, before=[''])
         file = self.corpora['own'].files[Path('row')]
@@ -458,10 +480,46 @@ class Judging(unittest.TestCase):
         self.assertEqual(self.verdicts([plant]), ['known before'])
 
 
+class WhatRunsShow(unittest.TestCase):
+    @staticmethod
+    def reason(answer, kind='vacancy-as-zero'):
+        return runs.reason(Plant(kind, Path('own/row'), {1: ''}), answer + ' line=0')
+
+    def test_a_plant_counts_unless_runs_that_come_there_do_the_same(self):
+        self.assertEqual(self.reason('blocks runs=9 touching=9 lines=9 led=9'), runs.SAME)
+        self.assertEqual(self.reason('values runs=9 touching=9 lines=9 led=9'), '')
+        self.assertEqual(self.reason('variables runs=9 touching=9 lines=9 led=9'), '')
+        self.assertEqual(self.reason('runs=9 touching=0 lines=9 led=9'), '')
+        self.assertEqual(self.reason('runs=9 touching=9 lines=9 led=4'), '')
+        self.assertEqual(self.reason('unknown cannot read'), '')
+
+    def test_what_no_run_can_come_to_is_left_out(self):
+        self.assertEqual(self.reason('unreachable runs=9 touching=0 lines=9 led=9'), runs.UNREACHED)
+        self.assertEqual(self.reason('unreadable runs=9 touching=0 lines=9 led=9'), 'a block before it cannot be read')
+
+    def test_what_is_left_at_the_end_is_another_code(self):
+        self.assertEqual(self.reason('values runs=9 touching=9 lines=9 led=9', 'return-early'), runs.SAME_STATE)
+        self.assertEqual(self.reason('values codes runs=9 touching=9 lines=9 led=9', 'return-early'), '')
+        self.assertEqual(self.reason('values runs=9 touching=9 lines=9 led=9', 'mode-left'), runs.SAME_STATE)
+
+
+class Halves(unittest.TestCase):
+    def test_an_author_is_in_one_half_with_all_that_he_wrote(self):
+        corpus = Corpus('macros', 'fanuc', [])
+        halves = {author: {corpus.half(Path(f'{author}__{name}/O{name}.nc')) for name in range(9)} for author in 'abcdefghijkl'}
+        self.assertTrue(all(len(found) == 1 for found in halves.values()))
+        self.assertEqual(set().union(*halves.values()), {'tune', 'hold'})
+
+    def test_of_unknown_authors_each_program_is_one(self):
+        corpus = Corpus('own', 'fanuc', [])
+        self.assertEqual({corpus.half(Path(f'O{name}.nc')) for name in range(9)}, {'tune', 'hold'})
+        self.assertEqual({corpus.half(Path(f'unknown__index/O{name}.nc')) for name in range(9)}, {'tune', 'hold'})
+
+
 class Report(unittest.TestCase):
     @staticmethod
-    def results(found, missed, kind):
-        plant = Plant(kind, Path('own/row'), {1: 'GOTO8'}, before=['GOTO9'])
+    def results(found, missed, kind, half=''):
+        plant = Plant(kind, Path('own/row'), {1: 'GOTO8'}, before=['GOTO9'], half=half)
         return [(plant, 'found', [])] * found + [(plant, 'missed', [])] * missed
 
     def test_bars(self):
@@ -469,6 +527,16 @@ class Report(unittest.TestCase):
         self.assertFalse(report.passes(self.results(18, 2, 'step-sign')))
         self.assertFalse(report.passes(self.results(198, 2, 'goto-nowhere')))
         self.assertTrue(report.passes(self.results(199, 1, 'goto-nowhere')))
+
+    def test_the_half_that_nobody_tunes_on_decides(self):
+        tuned, held = self.results(1, 9, 'step-sign', 'tune'), self.results(19, 1, 'step-sign', 'hold')
+        self.assertTrue(report.passes(tuned + held))
+        self.assertFalse(report.passes(tuned))
+
+    def test_saved_state_has_a_bar_of_its_own(self):
+        others = self.results(300, 0, 'step-sign')
+        self.assertTrue(report.passes(others + self.results(9, 1, 'return-early')))
+        self.assertFalse(report.passes(others + self.results(8, 2, 'return-early')))
 
     def test_what_is_not_linted_counts_nowhere(self):
         plant = Plant('goto-nowhere', Path('own/row'), {1: ''}, before=[''])
