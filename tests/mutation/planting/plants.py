@@ -120,9 +120,9 @@ KINDS = {kind.name: kind for kind in [
         ('tangent-right-angle', 'MAC704', 'TAN[90.]'),
     ]),
     *table('saved state', WARNING, [
-        ('return-early', f'{LEFT} MAC502 MAC519', 'M99 in front of the block that puts back what was saved'),
-        ('return-skipped', f'{LEFT} MAC502 MAC519', '/M99 in front of the block that puts back what was saved'),
-        ('restore-removed', f'{LEFT} MAC502 MAC519', 'the block that puts back what was saved is gone'),
+        ('return-early', f'{LEFT} MAC502', 'M99 in front of the block that puts back what was saved'),
+        ('return-skipped', f'{LEFT} MAC502', '/M99 in front of the block that puts back what was saved'),
+        ('restore-removed', f'{LEFT} MAC502', 'the block that puts back what was saved is gone'),
         ('restore-removed-customary', LEFT, 'the same of a group that the program only sets to its customary code'),
         ('saved-other-group', f'MAC505 {LEFT}', 'a motion code is saved from #4003, and so on: the copy is put back as another group'),
     ]),
