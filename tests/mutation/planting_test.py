@@ -468,9 +468,10 @@ class Judging(unittest.TestCase):
 
     def test_a_program_for_another_control_is_not_linted(self):
         file = self.corpora['own'].files[Path('row')]
-        file.text = '%\nO1 ; Number of the program\nG0 G17 G40 ; Takes the plane (G17), and no radius\n' \
-                    '; Takes no length, and the first (G54) of the offsets\nG28 G91 Z0 ; Goes home\nGOTO5 ; Goes on\nN5 M30 ; Ends it\n%'
-        self.assertEqual(self.verdicts([Plant('goto-nowhere', Path('own/row'), {5: 'GOTO6 ; Goes on'}, before=[''])]), ['not linted'])
+        file.text = '%\nO0019 ; Number of the program\nG0 G17 G40 ; Takes the plane (G17), and no radius\n' \
+                    '; Takes no length, and the first (G54) of the offsets\n#1=-5 ; Depth\nG65 P9810 Z#1 ; Measures\n' \
+                    'IF[#1EQ1]GOTO5\nN5 M30 ; Ends it\n%'
+        self.assertEqual(self.verdicts([Plant('goto-nowhere', Path('own/row'), {6: 'IF[#1EQ1]GOTO6'}, before=[''])]), ['not linted'])
 
     def test_what_was_known_before_is_no_place(self):
         plant = Plant('goto-nowhere', Path('own/row'), {2: 'IF[#24EQ#0]GOTO8'}, before=[''])

@@ -104,9 +104,9 @@ class Corpus:
         if all(changes[line] == lines[line] for line in changes):
             harmless = 'nothing changes'
         least = NOTE if kind in ('label-doubled', 'zero-as-vacancy', 'feed-left', 'speed-left') else WARNING
-        home = path.parent
+        added = {path.parent / name: text for name, text in (added or {}).items()}
         return Plant(kind, Path(self.name) / path, changes, harmless, least, kind.endswith('program-missing'),
-                     [lines[line] for line in sorted(changes)], self.half(path), added={home / name: text for name, text in (added or {}).items()})
+                     [lines[line] for line in sorted(changes)], self.half(path), added=added)
 
     def shown(self, plant):
         """Lines of the plant's program that show the defect, from 1 on; nothing: each of them."""
