@@ -354,6 +354,11 @@ TEST(ZeroTest, OfALetterThatMayBeLeftOutIsNoneWhereARangeRefusesIt) {
                                        "IF[#25NE12345.7]GOTO8\nIF[#26NE[#24*#25+1.5]]GOTO8\nIF[#8LT10]GOTO8\n"
                                        "G1X5.F#8\nM99\nN8#3000=1\n"),
                 ElementsAre(2));
+    EXPECT_THAT(lines_raised("MAC220",
+                             "O9001\nIF[#8NE0]GOTO6\n#8=0\nN6IF[#24NE12345.6]GOTO8\n"
+                             "IF[#25NE12345.7]GOTO8\nIF[#26NE[#24*#25+1.5]]GOTO8\nIF[#8LT-10]GOTO8\n"
+                             "G1X5.\nM99\nN8#3000=1\n"),
+                IsEmpty());
     EXPECT_THAT(lines_raised("MAC220", "O9001\nIF[#8NE0]GOTO6\n#8=0\nN6IF[#8LT-10]GOTO8\nG0X[5.+#8]\nM99\n"
                                        "N8#3000=1\n"),
                 IsEmpty());
