@@ -1,6 +1,7 @@
 //! Which variables a store through an index may mean.
 #pragma once
 
+#include "analyzer/flow/graph.hpp"
 #include "analyzer/program/model.hpp"
 #include "analyzer/semantics/range.hpp"
 
