@@ -53,10 +53,14 @@ const dataflow::ModalRead* modal_read_of(const ProgramAnalysis& analysis, const 
     return read == reads.end() ? nullptr : &*read;
 }
 
+std::optional<GroupId> saved_group(const ProgramAnalysis& analysis, const dataflow::Store& store) {
+    const auto* load = std::get_if<LoadModal>(&analysis.program().expressions[store.expression].node);
+    return load == nullptr ? std::nullopt : std::optional(load->group);
+}
+
 bool saves_group(const ProgramAnalysis& analysis, GroupId group) {
     return std::ranges::any_of(analysis.facts().all<dataflow::Store>(), [&](const dataflow::Store& store) {
-        const auto* load = std::get_if<LoadModal>(&analysis.program().expressions[store.expression].node);
-        return load != nullptr && load->group == group;
+        return saved_group(analysis, store) == group;
     });
 }
 

@@ -40,6 +40,10 @@ struct CopySource {
 [[nodiscard]] const dataflow::ModalRead* modal_read_of(const ProgramAnalysis& analysis,
                                                        const dataflow::Store& store);
 
+/// The group whose state in force the assignment stores as it is; nothing for everything else.
+[[nodiscard]] std::optional<GroupId> saved_group(const ProgramAnalysis& analysis,
+                                                 const dataflow::Store& store);
+
 /// Whether some assignment stores what is in force in the group, as it is.
 [[nodiscard]] bool saves_group(const ProgramAnalysis& analysis, GroupId group);
 

@@ -9,7 +9,6 @@
 #include "analyzer/queries/own_settings.hpp"
 
 #include <algorithm>
-#include <variant>
 
 namespace maclint::queries {
 namespace {
@@ -34,14 +33,13 @@ class Saves {
     std::vector<KeptState> find() const {
         std::vector<KeptState> kept;
         for (const dataflow::Store& store : analysis_.facts().all<dataflow::Store>()) {
-            const auto* load =
-                std::get_if<LoadModal>(&analysis_.program().expressions[store.expression].node);
-            if (load == nullptr || !can_be_kept(analysis_.control().groups[load->group].restore_policy) ||
-                std::ranges::find(kept, load->group, &KeptState::group) != kept.end() ||
-                !last_settings_before(analysis_, store.node, load->group).empty())
+            const auto group = saved_group(analysis_, store);
+            if (!group || !can_be_kept(analysis_.control().groups[*group].restore_policy) ||
+                std::ranges::find(kept, *group, &KeptState::group) != kept.end() ||
+                !last_settings_before(analysis_, store.node, *group).empty())
                 continue;
-            const bool is_put_back = std::ranges::find(put_back_, load->group) != put_back_.end();
-            if (is_put_back || is_for_nothing_else(store)) kept.push_back({load->group, &store, is_put_back});
+            const bool is_put_back = std::ranges::find(put_back_, *group) != put_back_.end();
+            if (is_put_back || is_for_nothing_else(store)) kept.push_back({*group, &store, is_put_back});
         }
         return kept;
     }

@@ -12,9 +12,9 @@
 #include "analyzer/queries/modal_parts.hpp"
 #include "analyzer/queries/origins.hpp"
 #include "analyzer/queries/own_settings.hpp"
+#include "analyzer/source/work_limit.hpp"
 
 #include <algorithm>
-#include <variant>
 
 namespace maclint::queries {
 namespace {
@@ -39,9 +39,9 @@ std::vector<PutBack> find_put_back(const ProgramAnalysis& analysis) {
         if (write.stated || !variable) continue;
         const dataflow::Store* save = only_store_of(analysis, *variable, write.value);
         if (save == nullptr) continue;
-        const auto* load = std::get_if<LoadModal>(&analysis.program().expressions[save->expression].node);
-        if (load != nullptr && last_settings_before(analysis, save->node, load->group).empty())
-            all.push_back({&write, save, load->group});
+        const auto group = saved_group(analysis, *save);
+        if (group && last_settings_before(analysis, save->node, *group).empty())
+            all.push_back({&write, save, *group});
     }
     return all;
 }
@@ -71,8 +71,8 @@ class Search {
     /// An earlier save of the same group in another variable, which a word on the same path puts back.
     [[nodiscard]] std::optional<Span> other_save(const PutBack& back) const {
         const auto found = std::ranges::find_if(put_back_, [&](const PutBack& other) {
-            return other.group == back.group && !(other.save->variable == back.save->variable) &&
-                   other.save->effect < back.save->effect &&
+            return WorkLimit::allows() && other.group == back.group &&
+                   !(other.save->variable == back.save->variable) && other.save->effect < back.save->effect &&
                    can_follow(analysis_, other.save->node, back.save->node) &&
                    (other.write->node == back.write->node ||
                     can_follow(analysis_, other.write->node, back.write->node) ||

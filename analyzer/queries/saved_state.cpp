@@ -12,12 +12,6 @@
 namespace maclint::queries {
 namespace {
 
-/// The group whose state the assignment stores as it is.
-std::optional<GroupId> saved_group(const ProgramAnalysis& analysis, const dataflow::Store& store) {
-    const auto* load = std::get_if<LoadModal>(&analysis.program().expressions[store.expression].node);
-    return load == nullptr ? std::nullopt : std::optional(load->group);
-}
-
 bool is_put_back_by_custom(const ModalGroup& group) {
     switch (group.restore_policy) {
     case RestorePolicy::state: return group.role != ModalRole::units;
