@@ -33,7 +33,7 @@ class ToldWorld {
     [[nodiscard]] double number(std::uint64_t asked) const;
     [[nodiscard]] bool one_in(std::uint64_t times, std::uint64_t asked) const;
     [[nodiscard]] semantics::Content at_start(const Program& program, Variable variable) const;
-    [[nodiscard]] double code(const ControlModel& control, GroupId group, bool main) const;
+    [[nodiscard]] double code(const ControlModel& control, GroupId id, bool main) const;
     [[nodiscard]] semantics::Content value_of(const Program& program, const Expression& expression);
     [[nodiscard]] execution::UnknownEffects unknown_call(const Program& program, CallKindId kind);
     [[nodiscard]] std::uint64_t again(std::uint64_t asked);

@@ -1,4 +1,5 @@
 //! Every exemption has a program that wants it, and what exemptions hold back is told with its reason.
+#include "analyzer/program/model.hpp"
 #include "rules/withheld.hpp"
 #include "tests/support/linted.hpp"
 
