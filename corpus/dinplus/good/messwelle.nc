@@ -1,0 +1,72 @@
+%messwelle.nc
+[Meßprogramm nach dem Vordrehen: Taster kalibrieren, Nullpunkt setzen,
+ Durchmesser, Längen und Breiten prüfen, Korrekturen nachführen.
+ Ergebnisse in die Protokolltabelle ab Zeile 10.]
+PROGRAMMKOPF
+#EINHEIT METRISCH
+#MASCHINE CTX 510
+#WERKSTUECK Messwelle
+REVOLVER 1
+T1 ID"Schlichtstahl 35"
+T3 ID"Stechstahl 3"
+T8 ID"Schaftfraeser 10"
+T12 ID"Taster TS 460"
+VAR
+#_ergebnis=#l1
+#_fehler=#l2
+BEARBEITUNG
+N10 G59 Z230
+N11 G14 Q0
+N12 M5
+N13 T12
+N14 #_fehler=0
+[Kalibrieren am Ring, zuerst Kugel, dann Einstellmaß]
+N15 G0 X0 Z10
+N16 G0 Z-5
+N17 G747 R1 D0 K20 AC40 BD0.2 WE0.02 F200 Q0 P0 H0 AN10
+N18 G747 R2 D1 K-20 AC0 BD0.2 WE0.02 Q0 P0 H0
+N19 G748 K20 RB15 RC10 AC40 EC-40 BE0.1 WE0.02 F200 Q0 P1 H0 AN11
+N20 G0 Z10
+[Nullpunkt an der Planfläche, nur für diesen Lauf]
+N21 G0 X20 Z5
+N22 G771 R2 D1 K-10 AC0 BD1 WE0.05 F150 Q0 P0 H0 AN12
+N23 #_ergebnis=#i99
+N24 IF #_ergebnis>=999997
+N25 THEN
+N26 PRINT("Planfläche nicht gefunden: ",#_ergebnis)
+N27 #_fehler=1
+N28 ENDIF
+[Durchmesser 60 h6, Korrektur des Schlichtstahls höchstens 0,1]
+N29 G0 X70 Z-20
+N30 G770 R1 D0 K-12 AC60 BD0.01 WT1 E0.1 WE0.02 V1 O1 F150 Q0 P1 H0 AN13
+N31 G0 X70 Z-45
+N32 G770 R1 D0 K-12 AC58 BD0.015 WT902 E0.05 V1 O1 Q0 P0 H0 AN14
+[Stechbreite]
+N33 G770 R2 D1 K-4 AC-60 BD0.02 WT3 V1 O1 Q0 P0 H0
+[Zwei Punkte: Durchmesser, Länge, Passfeder in X/Y und Y/Z]
+N34 G0 X70 Z-80
+N35 G775 R1 K-12 E0 RB20 RC5 XE58 BD0.05 X-58 BE0.05 WT1 FP0.1 WE0.02 Q0 P0 H0 AN15
+N36 G0 X66 Z-90
+N37 G776 R1 K-12 E0 RB10 RC5 ZE-95 BD0.05 Z-105 BE0.05 WT901 AT902 FP0.1 Q0 P0 H0 AN16
+N38 M14
+N39 G110 C0
+N40 G17
+N41 G0 X40 Y20 Z-2
+N42 G777 R4 K-20 RB10 RC5 YE5 BD0.05 Y-5 BE0.05 WT8 FP0.08 WE0.05 Q0 P0 H0 AN17
+N43 G19
+N44 G0 X70 Z-30
+N45 G778 R4 K-20 RB10 RC5 YE5 BD0.05 Y-5 BE0.05 WT8 AT8 F120 Q0 P1 H0 AN18
+N46 G18
+N47 M15
+N48 G0 X90
+N49 G14 Q0
+[Freigabe]
+N50 IF #_fehler==1
+N51 THEN
+N52 PRINT("Teil sperren")
+N53 M0
+N54 ELSE
+N55 PRINT("Teil frei")
+N56 ENDIF
+N57 M30
+ENDE
