@@ -101,6 +101,9 @@
     RULE(code_not_alone)                        /* MAC578 */ \
     RULE(word_not_taken)                        /* MAC579 */ \
     RULE(blocks_out_of_order)                   /* MAC580 */ \
+    RULE(word_not_listed)                       /* MAC581 */ \
+    RULE(codes_not_together)                    /* MAC582 */ \
+    RULE(unknown_code)                          /* MAC583 */ \
     RULE(missing_argument_validation)           /* MAC604 */ \
     RULE(position_read_ahead)                   /* MAC605 */ \
     RULE(bracket_depth)                         /* MAC701 */ \

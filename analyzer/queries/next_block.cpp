@@ -11,6 +11,7 @@ namespace maclint::queries {
 namespace {
 
 constexpr int most_blocks = 8;
+constexpr int most_later_blocks = 200;
 
 /// Whether the control only sets codes in the block and goes on to the next.
 bool sets_codes_alone(const Program& program, const BlockView& block) {
@@ -18,6 +19,11 @@ bool sets_codes_alone(const Program& program, const BlockView& block) {
            std::ranges::all_of(program.effects_in(block.effects), [](const Effect& effect) {
                return std::holds_alternative<SetModal>(effect.what);
            });
+}
+
+bool has_letter(std::span<const Word> words, char letter) {
+    return std::ranges::any_of(
+        words, [&](const Word& word) { return word.address == std::string_view(&letter, 1); });
 }
 
 /// Looks at one block after the other until it has found the one, or there is no use in going on.
@@ -31,9 +37,7 @@ struct Search {
 
     void look_at(const BlockView& block, std::span<const Word> words) {
         if (ended || block.span.begin < after) return;
-        if (std::ranges::any_of(
-                words, [&](const Word& word) { return word.address == std::string_view(&letter, 1); }))
-            found.emplace(words.begin(), words.end());
+        if (has_letter(words, letter)) found.emplace(words.begin(), words.end());
         ended = found || --left == 0 || !sets_codes_alone(program, block);
     }
 };
@@ -51,21 +55,68 @@ ItemId item_at(const Program& program, Slice items, Offset place) {
     return first;
 }
 
+/// `visit(BlockView, words)` for the section's blocks that begin in the part, while `goes_on()`.
+template<class GoesOn, class Visit>
+void for_each_block_in(const WordsOfBlock& block, Span part, const GoesOn& goes_on, const Visit& visit) {
+    const Program& program = block.analysis.program();
+    const Slice items = block.section.items;
+    for (ItemId item = item_at(program, items, part.begin); item < items.first + items.count && goes_on();
+         ++item) {
+        const Span span = program.span_of(item);
+        if (span.begin >= part.end) return;
+        const Span common{std::max(span.begin, part.begin), std::min(span.end, part.end)};
+        for_each_block_with_words(program, Stretch{item, common},
+                                  [&](const BlockView& view, std::span<const Word> words) {
+                                      if (view.span.begin >= part.begin && goes_on()) visit(view, words);
+                                  });
+    }
+}
+
+/// Where the line begins that many lines before the place.
+Offset lines_back(std::string_view text, Offset place, int lines) {
+    std::size_t begin = place;
+    for (; lines >= 0 && begin > 0; --lines) {
+        const std::size_t end = text.find_last_of("\r\n", begin - 1);
+        if (end == std::string_view::npos) return 0;
+        begin = end;
+    }
+    return static_cast<Offset>(begin);
+}
+
 } // namespace
 
 std::optional<std::vector<Word>> next_block_with(const WordsOfBlock& block, char letter) {
     const Program& program = block.analysis.program();
-    const Slice items = block.section.items;
     Search search{program, block.block.span.end, letter};
-    for (ItemId item = item_at(program, items, search.after);
-         item < items.first + items.count && !search.ended; ++item) {
-        const Span span = program.span_of(item);
-        const Span part{std::max(span.begin, search.after), span.end};
-        for_each_block_with_words(
-            program, Stretch{item, part},
-            [&](const BlockView& view, std::span<const Word> words) { search.look_at(view, words); });
-    }
+    for_each_block_in(
+        block, {search.after, static_cast<Offset>(program.text.size())}, [&] { return !search.ended; },
+        [&](const BlockView& view, std::span<const Word> words) { search.look_at(view, words); });
     return std::move(search.found);
+}
+
+std::optional<std::vector<Word>> last_block_with(const WordsOfBlock& block, char letter) {
+    const Offset place = block.block.span.begin;
+    const Offset begin = lines_back(block.analysis.program().text, place, most_blocks);
+    std::optional<std::vector<Word>> found;
+    for_each_block_in(
+        block, {begin, place}, [] { return true; },
+        [&](const BlockView&, std::span<const Word> words) {
+            if (has_letter(words, letter)) found.emplace(words.begin(), words.end());
+        });
+    return found;
+}
+
+bool comes_later(const WordsOfBlock& block, std::string_view codes) {
+    const Offset end = static_cast<Offset>(block.analysis.program().text.size());
+    bool found = false;
+    int left = most_later_blocks;
+    for_each_block_in(
+        block, {block.block.span.end, end}, [&] { return !found && left > 0; },
+        [&](const BlockView&, std::span<const Word> words) {
+            --left;
+            found = holds_code({words.begin(), words.end()}, codes);
+        });
+    return found;
 }
 
 bool holds_code(const std::vector<Word>& words, std::string_view codes) {

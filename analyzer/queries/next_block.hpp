@@ -1,4 +1,5 @@
-//! The block that comes after one, where the control surely goes there.
+//! The blocks around one: what comes next, where the control surely goes there, and what stands before and
+//! after.
 #pragma once
 
 #include "analyzer/queries/block_words.hpp"
@@ -12,6 +13,14 @@ namespace maclint::queries {
 /// The words of the next block that holds one with this letter: at most eight blocks on, in the same section,
 /// with none between that does more than set modal codes. Nothing: there is none, or nobody knows.
 [[nodiscard]] std::optional<std::vector<Word>> next_block_with(const WordsOfBlock& block, char letter);
+
+/// The words of the last block before this one in the text that holds a word with this letter: at most eight
+/// lines back, in the same section. Nothing: there is none.
+[[nodiscard]] std::optional<std::vector<Word>> last_block_with(const WordsOfBlock& block, char letter);
+
+/// Whether a later block of the section holds one of the codes, with or without more: at most two hundred
+/// blocks on.
+[[nodiscard]] bool comes_later(const WordsOfBlock& block, std::string_view codes);
 
 /// Whether one of the words is one of the codes, which blanks separate: "G0 G1".
 [[nodiscard]] bool holds_code(const std::vector<Word>& words, std::string_view codes);

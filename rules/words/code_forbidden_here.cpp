@@ -1,7 +1,10 @@
 //! MAC527: a code that the control refuses where another is in force.
 #include "analyzer/program/model.hpp"
+#include "analyzer/program/tables.hpp"
+#include "analyzer/workspace/program_analysis.hpp"
 #include "rules/words/row_of_block.hpp"
 
+#include <algorithm>
 #include <string>
 
 namespace maclint::rules {
@@ -13,6 +16,7 @@ void check(const RowOfBlock& block, Reporter& reporter);
 extern const Rule code_forbidden_here{
     .code = "MAC527",
     .name = "code-forbidden-here",
+    .aliases = "DIN112 DIN113 DIN234",
     .summary = "A code stands where the control refuses it",
     .why = "While a cycle, a compensation or another plane is in force the control refuses some codes: it "
            "stops with an"
@@ -43,8 +47,23 @@ M30
 
 namespace {
 
+/// Whether all codes stand in sections of contours because the word that ends those is missing: one cause,
+/// which another rule tells.
+bool machining_is_missing(const RowOfBlock& block) {
+    const ControlModel& control = block.block.analysis.control();
+    const auto role_of = [&](const Section& section) {
+        const auto kind = std::ranges::find(control.sections, section.kind, &SectionKind::name);
+        return kind == control.sections.end() ? SectionKind::Role::information : kind->role;
+    };
+    return role_of(block.block.section) == SectionKind::Role::contour &&
+           std::ranges::none_of(block.block.analysis.program().sections, [&](const Section& section) {
+               return role_of(section) == SectionKind::Role::machining;
+           });
+}
+
 void check(const RowOfBlock& block, Reporter& reporter) {
     const bool under = !block.under.empty();
+    if (!under && machining_is_missing(block)) return;
     block.report(reporter, block.code, under ? "under" : "section",
                  {block.text_of(block.code), under ? block.under : std::string(block.block.section.kind),
                   std::string(block.row().effect)});

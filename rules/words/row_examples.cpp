@@ -1,132 +1,109 @@
 //! Writes a block that keeps every row of its code, and the same with one of them broken.
 #include "rules/words/row_examples.hpp"
 
-#include "rules/path.hpp"
+#include "rules/words/code_pages.hpp"
+#include "rules/words/example_block.hpp"
 #include "rules/words/example_frames.hpp"
 #include "rules/words/row_text.hpp"
 #include "rules/words/word_list.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <string_view>
-#include <utility>
-#include <vector>
 
 namespace maclint {
 namespace {
 
-/// Writes blocks with the code of a row.
-class BlockWriter {
+/// Writes programs round blocks with the code of a row.
+class ProgramWriter {
   public:
-    explicit BlockWriter(const RowForCode& row)
-        : code_(row)
-        , frame_(*std::ranges::find(example_frames, row.table->language, &ExampleFrame::language)) {
-        for (const RuleRow& rule_row : all_rule_rows())
-            for (const RowForCode& other : rule_row.rows)
-                if (other.letter == row.letter && other.code == row.code &&
-                    other.table->language == row.table->language)
-                    rows_.push_back(other.row);
-    }
+    explicit ProgramWriter(const RowForCode& row)
+        : of_code_(row)
+        , row_(*row.row)
+        , frame_(frame_of(row.table->language))
+        , section_(section_of(row))
+        , block_(block_with(code_of(row))) {}
 
     [[nodiscard]] std::string program(bool kept) const {
-        const WordRow& row = *code_.row;
-        std::string text(frame_.head);
-        if (!row.sections.empty() || !code_.table->sections.empty()) text = heading() + "\n";
-        if (row.says == RowStatement::refused && !kept)
-            text += std::string(first(row.under)) + std::string(frame_.straight) + "\n";
-        text += code_of(code_);
-        for (const auto& [address, value] : words(kept)) text.append(" ").append(address).append(value);
-        text += "\n";
-        if (const WordRow* order = find(RowStatement::precedes))
-            text += kept || order != &row
-                        ? std::string(first(order->others)) + std::string(frame_.straight) + "\n"
-                        : std::string(frame_.arc);
-        return text + std::string(frame_.tail);
+        if (row_.says == RowStatement::refused && row_.under.empty()) return in_section(kept);
+        std::string text = start();
+        if (row_.says == RowStatement::refused && !kept)
+            text += std::string(first_of(row_.under)) + std::string(frame_.straight) + "\n";
+        if (!row_.after.empty()) text += block_with(first_of(row_.after)).text() + "\n";
+        text += kept ? block_.text_that_keeps(row_) : block_.text(&row_);
+        if (row_.says == RowStatement::apart && !kept) text += " " + std::string(first_of(row_.others));
+        text += "\n" + next_block(kept);
+        return text + end(section_);
     }
 
   private:
-    using Words = std::vector<std::pair<std::string, std::string>>;
-
-    static std::string_view first(std::string_view list) { return words_of(list).front(); }
-    static bool stands(const Words& words, std::string_view list) {
-        return std::ranges::any_of(words, [&](const auto& word) { return has_word(list, word.first); });
+    [[nodiscard]] static std::string_view section_of(const RowForCode& row) {
+        const std::string_view list = row.row->sections.empty() ? row.table->sections : row.row->sections;
+        return list.empty() ? list : first_of(list);
     }
-    [[nodiscard]] const WordRow* find(RowStatement says) const {
-        const auto found = std::ranges::find(rows_, says, &WordRow::says);
-        return found == rows_.end() ? nullptr : *found;
+    [[nodiscard]] ExampleBlock block_with(std::string_view code) const {
+        const auto controls = words_of(row_.controls);
+        return {*of_code_.table, controls.empty() ? "" : controls.front(), code, section_};
     }
-
-    [[nodiscard]] std::string heading() const {
-        const WordRow& row = *code_.row;
-        std::string name(first(row.sections.empty() ? code_.table->sections : row.sections));
+    [[nodiscard]] static std::string heading(std::string_view section) {
+        std::string name(section);
         std::ranges::replace(name, '_', ' ');
-        return name;
+        return name + "\n";
+    }
+    [[nodiscard]] std::string start() const {
+        return section_.empty() ? std::string(frame_.head) : heading(section_);
     }
 
-    /// A value that every row allows.
-    [[nodiscard]] std::string value_of(std::string_view address) const {
-        for (const WordRow* row : rows_)
-            if (row->says == RowStatement::values && has_word(row->words, address))
-                return allowed_value(*row);
-        return has_word(frame_.with_point, address) ? "10." : "1";
-    }
-    static std::string allowed_value(const WordRow& row) {
-        if (!row.values.empty()) return std::string(first(row.values));
-        if (!std::isfinite(row.most)) return number_word(row.above_least ? row.least + 1 : row.least);
-        return number_word(std::isfinite(row.least) ? (row.least + row.most) / 2 : row.most - 1);
-    }
-    static std::string refused_value(const WordRow& row) {
-        if (!row.values.empty()) return "99";
-        return number_word(std::isfinite(row.most) ? row.most + 1 : row.least - 1);
+    [[nodiscard]] std::string end(std::string_view section) const {
+        const bool has_main = section.empty() || section == frame_.main_section;
+        return (has_main ? "" : heading(frame_.main_section)) + std::string(frame_.tail);
     }
 
-    /// The words of the row, then those that other rows want beside them.
-    [[nodiscard]] Words words(bool kept) const {
-        const WordRow& row = *code_.row;
-        Words all;
-        const auto add = [&](std::string_view address) { all.emplace_back(address, value_of(address)); };
-        switch (row.says) {
-        case RowStatement::needs:
-        case RowStatement::takes_not:
-            if (kept == (row.says == RowStatement::needs)) add(first(row.words));
-            break;
-        case RowStatement::excludes:
-            add(first(row.words));
-            if (!kept) add(first(row.others));
-            break;
-        case RowStatement::only_with: add(first(row.words)); break;
-        case RowStatement::values:
-            all.emplace_back(first(row.words), kept ? allowed_value(row) : refused_value(row));
-            break;
-        case RowStatement::whole:
-            all.emplace_back(first(row.words), value_of(first(row.words)) + (kept ? "" : "."));
-            break;
-        case RowStatement::alone:
-            if (!kept) all.emplace_back("S", "500");
-            break;
-        case RowStatement::precedes:
-        case RowStatement::refused: break;
+    /// The code where it has no place, or in one of its own sections.
+    [[nodiscard]] std::string in_section(bool kept) const {
+        if (!kept) return start() + code_of(of_code_) + "\n" + end(section_);
+        const auto pages = pages_of_code(of_code_.table->language, code_of(of_code_));
+        const std::string_view section = first_of(pages.front()->sections());
+        const ExampleBlock block(*of_code_.table, {}, code_of(of_code_), section);
+        const WordRow* order = block.order();
+        std::string text = heading(section) + block.text() + "\n";
+        if (order != nullptr)
+            text += ExampleBlock(*of_code_.table, {}, first_of(order->others), section).text() + "\n";
+        return text + end(section);
+    }
+
+    /// What the row on the block after wants, or something else; nothing where no row says anything of it.
+    [[nodiscard]] std::string next_block(bool kept) const {
+        const bool is_order = row_.says == RowStatement::precedes;
+        const WordRow* order = is_order ? &row_ : block_.order(&row_);
+        if (order == nullptr) return {};
+        if (kept || !is_order) return block_with(first_of(order->others)).text() + "\n";
+        return other_code_than(order->others) + "\n";
+    }
+
+    /// A block of the section with a code that is none of these, and wants nothing of the block after.
+    [[nodiscard]] std::string other_code_than(std::string_view codes) const {
+        for (const CodePage& page : all_code_pages()) {
+            const std::string_view code = first_of(page.head->row.code);
+            if (page.book->language != of_code_.table->language || !has_word(page.sections(), section_) ||
+                code.front() != of_code_.letter || has_word(codes, code) || code == code_of(of_code_))
+                continue;
+            const ExampleBlock block = block_with(code);
+            if (block.order() == nullptr) return block.text();
         }
-        for (const WordRow* other : rows_) {
-            const bool is_row = other == &row && !kept;
-            if (other->says == RowStatement::needs && !is_row && !stands(all, other->words))
-                add(first(other->words));
-            if (other->says == RowStatement::only_with && !is_row && stands(all, other->words) &&
-                !stands(all, other->others))
-                add(first(other->others));
-        }
-        return all;
+        return std::string(frame_.arc);
     }
 
-    const RowForCode& code_;
+    const RowForCode& of_code_;
+    const WordRow& row_;
     const ExampleFrame& frame_;
-    std::vector<const WordRow*> rows_; ///< of the code
+    std::string_view section_;
+    ExampleBlock block_;
 };
 
 } // namespace
 
 RowExamples examples_of(const RowForCode& row) {
-    const BlockWriter writer(row);
+    const ProgramWriter writer(row);
     const auto controls = words_of(row.row->controls);
     return {std::string(row.table->language), controls.empty() ? "" : std::string(controls.front()),
             writer.program(false), writer.program(true)};

@@ -3,6 +3,8 @@
 
 #include "analyzer/program/block_view.hpp"
 #include "analyzer/program/tables.hpp"
+#include "rules/words/code_pages.hpp"
+#include "rules/words/row_of_block.hpp"
 #include "rules/words/word_list.hpp"
 
 #include <algorithm>
@@ -22,6 +24,13 @@ std::int64_t code_number(char letter, double code) {
     return std::llround(code * decimals) * letters + static_cast<unsigned char>(letter);
 }
 
+/// `sections`: names with blanks between them; empty: any.
+bool stands_in(std::string_view sections, std::string_view section) {
+    std::string name(section);
+    std::ranges::replace(name, ' ', '_');
+    return sections.empty() || has_word(sections, name);
+}
+
 bool holds(const RowForCode& code, const ControlModel& control, std::string_view section) {
     const WordTable& table = *code.table;
     const WordRow& row = *code.row;
@@ -30,10 +39,14 @@ bool holds(const RowForCode& code, const ControlModel& control, std::string_view
     if (!row.controls.empty() && !has_word(row.controls, control.name) &&
         !has_word(row.controls, control.model))
         return false;
-    const std::string_view sections = row.sections.empty() ? table.sections : row.sections;
-    std::string name(section);
-    std::ranges::replace(name, ' ', '_');
-    return sections.empty() || has_word(sections, name);
+    return stands_in(row.sections.empty() ? table.sections : row.sections, section);
+}
+
+/// The number of the code that the word is; -1 where it is none.
+std::int64_t code_number(const Word& word) {
+    const auto* literal = std::get_if<Literal>(&word.value);
+    return literal == nullptr || word.address.size() != 1 ? -1
+                                                          : code_number(word.address.front(), literal->value);
 }
 
 /// The addresses of the list that scanning tells apart.
@@ -65,7 +78,9 @@ bool can_be_wrong(const RowIndex::Entry& entry, syntax::AddressSet any, syntax::
     case RowStatement::whole: return any.meets(entry.maybe_words);
     case RowStatement::excludes: return any.meets(entry.maybe_words) && any.meets(entry.maybe_others);
     case RowStatement::only_with: return any.meets(entry.maybe_words) && !all.meets(entry.others);
+    case RowStatement::takes_only: return !any.without(entry.words).empty();
     case RowStatement::alone:
+    case RowStatement::apart:
     case RowStatement::precedes:
     case RowStatement::refused: return true;
     }
@@ -83,6 +98,8 @@ RowIndex::RowIndex(const ControlModel& control, std::string_view section, const 
             Entry entry{rule_row, &row, code_number(row.letter, row.code), {}, {}, {}, {}};
             if (tables != nullptr) {
                 entry.words = surely(*tables, row.row->words);
+                if (row.row->says == RowStatement::takes_only)
+                    entry.words.add(surely(*tables, any_code_takes));
                 entry.others = surely(*tables, row.row->others);
                 entry.maybe_words = maybe(*tables, row.row->words);
                 entry.maybe_others = maybe(*tables, row.row->others);
@@ -97,6 +114,14 @@ RowIndex::RowIndex(const ControlModel& control, std::string_view section, const 
         }
     }
     std::ranges::stable_sort(entries_, {}, &Entry::code);
+    for (const CodePage& page : all_code_pages()) {
+        if (page.book->language != control.language || !stands_in(page.sections(), section)) continue;
+        for (const std::string_view code : words_of(page.head->row.code)) {
+            auto& words = words_of_codes_[code_number(code.front(), code_number_of(code))];
+            for (const BookLine& line : page.lines)
+                if (line.kind == BookLine::Kind::word) words.push_back(line.row.words);
+        }
+    }
 }
 
 bool RowIndex::wants_run(const Program& program, const PlainRun& run) const {
@@ -120,11 +145,15 @@ bool RowIndex::wants_block(const WordSummary& block) const {
 }
 
 std::span<const RowIndex::Entry> RowIndex::rows_at(const Word& word) const {
-    const auto* literal = std::get_if<Literal>(&word.value);
-    if (literal == nullptr || word.address.size() != 1) return {};
-    const auto [first, last] = std::ranges::equal_range(
-        entries_, code_number(word.address.front(), literal->value), {}, &Entry::code);
+    const std::int64_t code = code_number(word);
+    if (code < 0) return {};
+    const auto [first, last] = std::ranges::equal_range(entries_, code, {}, &Entry::code);
     return {first, last};
+}
+
+const std::vector<std::string_view>* RowIndex::words_of_code(const Word& word) const {
+    const auto found = words_of_codes_.find(code_number(word));
+    return found == words_of_codes_.end() ? nullptr : &found->second;
 }
 
 } // namespace maclint

@@ -6,6 +6,7 @@
 
 #include <array>
 #include <cstdint>
+#include <map>
 #include <span>
 #include <string>
 #include <string_view>
@@ -37,12 +38,17 @@ class RowIndex {
     [[nodiscard]] std::string_view letters() const { return letters_; }
     /// The rows of the code that the word is; none where it is none.
     [[nodiscard]] std::span<const Entry> rows_at(const Word& word) const;
+    /// Whether a chapter has the code that the word is, and its words in this section; nullptr: none does.
+    [[nodiscard]] const std::vector<std::string_view>* words_of_code(const Word& word) const;
+    /// Whether chapters tell of the language's codes at all.
+    [[nodiscard]] bool knows_codes() const { return !words_of_codes_.empty(); }
 
   private:
     std::vector<Entry> entries_; ///< by code
     std::string letters_;
     syntax::CodeSet codes_; ///< of all entries
     std::array<std::vector<Entry>, syntax::CodeSet::capacity> by_kind_;
+    std::map<std::int64_t, std::vector<std::string_view>> words_of_codes_;
 };
 
 } // namespace maclint

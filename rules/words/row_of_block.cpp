@@ -4,10 +4,12 @@
 #include "analyzer/program/tables.hpp"
 #include "analyzer/workspace/program_analysis.hpp"
 #include "rules/path.hpp"
+#include "rules/words/row_index.hpp"
 #include "rules/words/word_list.hpp"
 
 #include <algorithm>
 #include <utility>
+#include <variant>
 
 namespace maclint {
 
@@ -21,9 +23,25 @@ std::vector<const Word*> RowOfBlock::own(std::string_view addresses) const {
     std::vector<const Word*> found;
     for (const Word& word : block.words)
         if (&word != &code && word.has_value() && has_word(addresses, word.address) &&
-            !queries::may_belong_to_another(block, code, word))
+            !may_belong_to_another(word))
             found.push_back(&word);
     return found;
+}
+
+bool RowOfBlock::may_belong_to_another(const Word& word) const {
+    if (!index.knows_codes()) return queries::may_belong_to_another(block, code, word);
+    return std::ranges::any_of(block.words, [&](const Word& other) {
+        if (&other == &code || (other.address != "G" && other.address != "M")) return false;
+        if (has_word(any_code_takes, word.address)) return true;
+        const auto* words = index.words_of_code(other);
+        return words == nullptr || std::ranges::find(*words, word.address) != words->end();
+    });
+}
+
+std::string RowOfBlock::code_of(const Word& word) {
+    const auto* value = std::get_if<Literal>(&word.value);
+    if (value == nullptr || !has_word("G M", word.address)) return {};
+    return std::string(word.address) + number_word(value->value);
 }
 
 std::string RowOfBlock::text_of(const Word& word) const {

@@ -11,9 +11,16 @@
 
 namespace maclint {
 
+class RowIndex;
+
+/// Words that any block takes, whatever its codes: codes, the tool and what goes with the spindle and the
+/// feed.
+inline constexpr std::string_view any_code_takes = "G M T N F S";
+
 /// Good as long as the check runs.
 struct RowOfBlock {
     const queries::WordsOfBlock& block;
+    const RowIndex& index;
     const RuleRow& rule_row;
     const RowForCode& of_code;
     const Word& code;  ///< the word of the block that is the row's code
@@ -26,6 +33,10 @@ struct RowOfBlock {
     /// The words with one of the addresses and a value that surely belong to the code, in the order of the
     /// text.
     [[nodiscard]] std::vector<const Word*> own(std::string_view addresses) const;
+    /// Whether a word may belong to another code of the block.
+    [[nodiscard]] bool may_belong_to_another(const Word& word) const;
+    /// "G40", as rows name codes, of a word whose value is written; empty for a word that is no code.
+    [[nodiscard]] static std::string code_of(const Word& word);
     /// The bytes of the word, for a message.
     [[nodiscard]] std::string text_of(const Word& word) const;
 

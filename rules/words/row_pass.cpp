@@ -3,7 +3,9 @@
 
 #include "analyzer/program/tables.hpp"
 #include "analyzer/queries/modes_at.hpp"
+#include "analyzer/queries/next_block.hpp"
 #include "analyzer/workspace/program_analysis.hpp"
+#include "rules/words/row_condition.hpp"
 #include "rules/words/word_list.hpp"
 
 #include <algorithm>
@@ -39,6 +41,22 @@ std::string in_force(const queries::WordsOfBlock& block, const WordRow& row) {
     return {};
 }
 
+/// Whether the blocks around this one are as the row wants them. Where nobody knows what stands there, a row
+/// that is for blocks after some code does not hold, others do.
+bool holds_between(const queries::WordsOfBlock& block, const WordRow& row) {
+    if (!row.unless_next.empty()) {
+        const auto next = queries::next_block_with(block, 'G');
+        if (next && queries::holds_code(*next, row.unless_next)) return false;
+    }
+    if (!row.after.empty() || !row.unless_after.empty()) {
+        const auto before = queries::last_block_with(block, 'G');
+        if (!row.after.empty() && (!before || !queries::holds_code(*before, row.after))) return false;
+        if (!row.unless_after.empty() && before && queries::holds_code(*before, row.unless_after))
+            return false;
+    }
+    return row.unless_later.empty() || !queries::comes_later(block, row.unless_later);
+}
+
 } // namespace
 
 RowPass::RowPass(std::span<const Rule* const> rules) {
@@ -49,20 +67,22 @@ RowPass::RowPass(std::span<const Rule* const> rules) {
 void RowPass::look_at(const queries::WordsOfBlock& block, const RowIndex& index) {
     if (index.empty()) return;
     for (const Word& word : block.words)
-        for (const RowIndex::Entry& entry : index.rows_at(word)) look_at(block, entry, word);
+        for (const RowIndex::Entry& entry : index.rows_at(word)) look_at(block, index, entry, word);
 }
 
-void RowPass::look_at(const queries::WordsOfBlock& block, const RowIndex::Entry& entry, const Word& code) {
+void RowPass::look_at(const queries::WordsOfBlock& block, const RowIndex& index, const RowIndex::Entry& entry,
+                      const Word& code) {
     const auto reporter = reporters_.find(entry.rule_row->rule);
     if (reporter == reporters_.end()) return;
     const WordRow& row = *entry.row->row;
     // Words of a block that calls are arguments; of some that may be skipped nobody knows which stand there.
     if ((!row.in_calls && queries::calls(block)) || queries::has_alternatives(block)) return;
     if (row.kept && !is_first_of_its_kind(block, *entry.row)) return;
+    if (!holds_beside(block, code, row.when) || !holds_between(block, row)) return;
     std::string under = row.under.empty() ? std::string() : in_force(block, row);
     if (under.empty() && !row.under.empty()) return;
     std::get<RowCheck>(reporter->first->check)
-        .check({block, *entry.rule_row, *entry.row, code, std::move(under)}, reporter->second);
+        .check({block, index, *entry.rule_row, *entry.row, code, std::move(under)}, reporter->second);
 }
 
 std::vector<Finding> RowPass::take() {

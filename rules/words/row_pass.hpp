@@ -21,7 +21,8 @@ class RowPass {
     [[nodiscard]] std::vector<Finding> take();
 
   private:
-    void look_at(const queries::WordsOfBlock& block, const RowIndex::Entry& entry, const Word& code);
+    void look_at(const queries::WordsOfBlock& block, const RowIndex& index, const RowIndex::Entry& entry,
+                 const Word& code);
 
     std::map<const Rule*, Reporter> reporters_;
 };

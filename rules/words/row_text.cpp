@@ -2,6 +2,7 @@
 #include "rules/words/row_text.hpp"
 
 #include "rules/path.hpp"
+#include "rules/words/row_condition.hpp"
 #include "rules/words/word_list.hpp"
 
 #include <cmath>
@@ -15,11 +16,14 @@ std::string rule_in_words(const RowForCode& of_code) {
     const std::string words = words_with_meaning(row);
     switch (row.says) {
     case RowStatement::needs: return code + " needs " + words + "; without it ";
+    case RowStatement::takes_only:
+        return code + (row.words.empty() ? " takes no words: " : " takes " + all_of(row.words) + " alone: ");
+    case RowStatement::apart: return code + " does not stand beside " + either_of(row.others) + ": ";
     case RowStatement::takes_not: return code + " does not take " + words + ": ";
     case RowStatement::excludes:
         return code + " takes " + words + " or " + either_of(row.others) + ", not both: ";
     case RowStatement::only_with:
-        return words + " of " + code + " counts beside " + either_of(row.others) + " only: ";
+        return words + " of " + code + " counts beside " + partners_of(row) + " only: ";
     case RowStatement::values: return code + " takes " + words + " of " + values_allowed_by(row) + "; else ";
     case RowStatement::whole: return words + " of " + code + " has no decimal point; with one ";
     case RowStatement::alone:
@@ -33,7 +37,10 @@ std::string rule_in_words(const RowForCode& of_code) {
 
 /// "Under G41 or G42, " in front of what holds only there.
 std::string condition_of(const WordRow& row) {
-    return row.under.empty() ? "" : "Under " + either_of(row.under) + ": ";
+    std::string text = row.under.empty() ? "" : "Under " + either_of(row.under) + ": ";
+    if (!row.when.empty()) text += conditions_in_words(row.when) + ": ";
+    if (!row.after.empty()) text += "After " + either_of(row.after) + ": ";
+    return text;
 }
 
 } // namespace
@@ -49,6 +56,15 @@ std::string values_allowed_by(const WordRow& row) {
     const std::string most = (row.below_most ? "less than " : "at most ") + number_word(row.most);
     if (!std::isfinite(row.most)) return least;
     return std::isfinite(row.least) ? least + " and " + most : most;
+}
+
+std::string partners_of(const WordRow& row) {
+    std::string list;
+    for (const std::string_view other : words_of(row.others)) {
+        const std::string one = in_words(condition_of(other));
+        list.append(list.empty() ? "" : " or ").append(one);
+    }
+    return list;
 }
 
 std::string code_of(const RowForCode& row) { return row.letter + number_word(row.code); }

@@ -13,6 +13,9 @@ namespace maclint {
 /// The values that the row allows: "0, 1 or 2", "at least 1", "more than 0 and at most 999".
 [[nodiscard]] std::string values_allowed_by(const WordRow& row);
 
+/// The words beside which those of the row count: "ID", "Q of 1, 2 or 3 or A".
+[[nodiscard]] std::string partners_of(const WordRow& row);
+
 /// "G83", as the row names it.
 [[nodiscard]] std::string code_of(const RowForCode& row);
 

@@ -24,9 +24,15 @@ std::string joined(std::string_view list, std::string_view separator) {
 std::string key_of(const RowForCode& code) {
     const WordRow& row = *code.row;
     std::string key = code_of(code);
-    if (!row.words.empty()) key += "." + joined(row.words, "+");
+    const bool names_words = row.says != RowStatement::takes_only && row.says != RowStatement::refused;
+    if (!row.words.empty() && names_words) key += "." + joined(row.words, "+");
     if (!row.others.empty() && row.says != RowStatement::precedes) key += "-" + joined(row.others, "+");
-    if (!row.under.empty()) key += "-" + std::string(words_of(row.under).front());
+    for (const std::string_view codes : {row.under, row.after})
+        if (!codes.empty()) key += "-" + std::string(words_of(codes).front());
+    for (const std::string_view condition : words_of(row.when))
+        key += condition.starts_with('-') ? "-NO" + std::string(condition.substr(1))
+                                          : "-" + std::string(condition);
+    std::erase_if(key, [](char c) { return std::string_view("=?!|").find(c) != std::string_view::npos; });
     return key;
 }
 
@@ -50,7 +56,7 @@ std::vector<RuleRow> make_rows() {
                 if (is_new) rows.push_back({rule, 0, std::move(key), {}});
                 rows[place->second].rows.push_back(one);
             }
-    std::ranges::sort(rows, [](const RuleRow& a, const RuleRow& b) {
+    std::ranges::stable_sort(rows, [](const RuleRow& a, const RuleRow& b) {
         return std::pair(a.rule->code, std::string_view(a.key)) <
                std::pair(b.rule->code, std::string_view(b.key));
     });

@@ -31,12 +31,20 @@ double code_number_of(std::string_view code) {
     return number;
 }
 
-std::string either_of(std::string_view list) {
+namespace {
+
+std::string listed(std::string_view list, std::string_view last) {
     const std::vector<std::string_view> words = words_of(list);
     std::string text;
     for (std::size_t i = 0; i < words.size(); ++i)
-        text += (i == 0 ? "" : i + 1 == words.size() ? " or " : ", ") + std::string(words[i]);
+        text.append(i == 0 ? "" : i + 1 == words.size() ? last : ", ").append(words[i]);
     return text;
 }
+
+} // namespace
+
+std::string either_of(std::string_view list) { return listed(list, " or "); }
+
+std::string all_of(std::string_view list) { return listed(list, " and "); }
 
 } // namespace maclint

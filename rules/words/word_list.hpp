@@ -17,5 +17,7 @@ namespace maclint {
 
 /// "X", "X or Z", "X, Z or PZ".
 [[nodiscard]] std::string either_of(std::string_view list);
+/// "X, Z and PZ".
+[[nodiscard]] std::string all_of(std::string_view list);
 
 } // namespace maclint

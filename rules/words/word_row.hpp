@@ -25,8 +25,9 @@ struct WordRow {
     RowStatement says; ///< what is said of `words`; each kind is a rule of its own
     /// "G83", or several that say the same: each has a key of its own.
     std::string_view code;
-    std::string_view words = {};  ///< addresses: "Q", "X Y Z"
-    std::string_view others = {}; ///< addresses or, of what precedes what, codes
+    std::string_view words = {}; ///< addresses: "Q", "X Y Z"
+    /// Addresses, beside which "O=1|2" is one with such a value; of what precedes or stands apart, codes.
+    std::string_view others = {};
 
     /// Of a value: the bounds and the values allowed. A word whose value is calculated is not looked at.
     double least = -std::numeric_limits<double>::infinity();
@@ -39,6 +40,15 @@ struct WordRow {
     /// force in the block, its own included.
     std::string_view sections = {};
     std::string_view under = {};
+    /// Only where the block's words are so, all of them: "A" stands there, "-A" does not, "A=1|2" has one of
+    /// these values, "A!1|2" another one, "A?1|2" has one of them or is missing. A value that is calculated
+    /// may be any: the row does not hold.
+    std::string_view when = {};
+    /// Codes: not where the next block holds one of them; only, or not, where the block before does.
+    std::string_view unless_next = {};
+    std::string_view unless_later = {}; ///< codes of which one stands in a later block of the section
+    std::string_view after = {};
+    std::string_view unless_after = {};
     /// Only on controls of these names or models; empty: on all of the table. One that nobody has named is
     /// "fanuc".
     std::string_view controls = {};

@@ -1,18 +1,23 @@
-//! The explicit list of the tables of words.
-#include "rules/words/word_row.hpp"
+//! The explicit list of the tables of words; those of chapters of codes are made from them.
+#include "rules/words/book_rows.hpp"
 
-#include <array>
+#include <algorithm>
+#include <iterator>
+#include <vector>
 
 namespace maclint {
 namespace word_tables {
 
 extern const WordTable fanuc_mill;
-extern const WordTable dinplus_machining;
 
 } // namespace word_tables
 
 std::span<const WordTable* const> all_word_tables() {
-    static constexpr std::array list = {&word_tables::fanuc_mill, &word_tables::dinplus_machining};
+    static const auto list = [] {
+        std::vector<const WordTable*> tables = {&word_tables::fanuc_mill};
+        std::ranges::copy(tables_of_books(), std::back_inserter(tables));
+        return tables;
+    }();
     return list;
 }
 

@@ -1,7 +1,10 @@
 //! MAC577: a word that counts only beside another.
+#include "rules/words/row_condition.hpp"
 #include "rules/words/row_of_block.hpp"
+#include "rules/words/row_text.hpp"
 #include "rules/words/word_list.hpp"
 
+#include <algorithm>
 #include <string>
 
 namespace maclint::rules {
@@ -44,13 +47,23 @@ END
 
 namespace {
 
+/// Whether one of the others stands there, with one of its values where the row names them: "O=1|2".
+bool may_have_partner(const RowOfBlock& block) {
+    return std::ranges::any_of(words_of(block.row().others), [&](std::string_view other) {
+        const RowCondition wanted = condition_of(other);
+        const Word* word = block.find(wanted.address);
+        if (word == nullptr) return wanted.or_missing;
+        return wanted.values.empty() || fits(*word, wanted.values) != Fits::no;
+    });
+}
+
 void check(const RowOfBlock& block, Reporter& reporter) {
     const WordRow& row = block.row();
-    if (block.find(row.others) != nullptr) return;
+    if (may_have_partner(block)) return;
     for (const Word* word : block.own(row.words))
-        block.report(reporter, *word, "alone",
-                     {block.text_of(*word), block.text_of(block.code), either_of(row.others),
-                      std::string(row.effect)});
+        block.report(
+            reporter, *word, "alone",
+            {block.text_of(*word), block.text_of(block.code), partners_of(row), std::string(row.effect)});
 }
 
 } // namespace

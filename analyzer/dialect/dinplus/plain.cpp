@@ -69,9 +69,13 @@ PlainTables descriptions() {
     for (const std::string_view pair : no_addresses) row_of(tables, pair) = {};
     for (const char c : std::string_view("GMT")) tables.may_repeat.add(static_cast<AddressId>(c - 'A'));
     // Codes of descriptions set nothing, but rules ask where they stand.
-    row_of(tables, "G").start = PlainStart::code;
-    for (std::size_t code = 0; code < codes; ++code)
-        tables.codes[0].rows.push_back({.kind = syntax::CodeSet::kind_of(0, code)});
+    for (const std::uint8_t which : {std::uint8_t{0}, std::uint8_t{1}}) {
+        auto& row = row_of(tables, which == 0 ? "G" : "M");
+        row.start = PlainStart::code;
+        row.which = which;
+        for (std::size_t code = 0; code < codes; ++code)
+            tables.codes[which].rows.push_back({.kind = syntax::CodeSet::kind_of(which, code)});
+    }
     tables.comment_end = ']';
     tables.incremental = 'i';
     tables.not_after_number = 'O';
@@ -102,7 +106,7 @@ PlainCode plain_code(char letter, std::size_t code) {
 
 PlainTables commands() {
     PlainTables tables = descriptions();
-    tables.codes[0].rows.clear();
+    for (syntax::PlainCodes& of_letter : tables.codes) of_letter.rows.clear();
     for (const std::string_view axis : {"X", "Z", "Y", "C", "B", "XK", "YK", "U", "V", "W"})
         row_of(tables, axis).start = PlainStart::axis;
     row_of(tables, "NS").traits = block_name;
@@ -110,8 +114,6 @@ PlainTables commands() {
     row_of(tables, "T") = {}; // changes the tool
     for (const std::uint8_t which : {std::uint8_t{0}, std::uint8_t{1}}) {
         const std::string_view letter = which == 0 ? "G" : "M";
-        row_of(tables, letter).start = PlainStart::code;
-        row_of(tables, letter).which = which;
         for (std::size_t code = 0; code < codes; ++code)
             tables.codes[which].rows.push_back(plain_code(letter.front(), code));
     }

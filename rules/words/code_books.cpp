@@ -1,0 +1,49 @@
+//! The explicit list of the chapters of codes.
+#include "rules/words/code_book.hpp"
+
+#include <array>
+
+namespace maclint {
+namespace code_books {
+
+extern const CodeBook dinplus_contours;
+extern const CodeBook dinplus_c_contours;
+extern const CodeBook dinplus_figures;
+extern const CodeBook dinplus_y_contours;
+extern const CodeBook dinplus_moves_and_feeds;
+extern const CodeBook dinplus_compensation;
+extern const CodeBook dinplus_turning_cycles;
+extern const CodeBook dinplus_threads_and_undercuts;
+extern const CodeBook dinplus_drilling;
+extern const CodeBook dinplus_c_axis;
+extern const CodeBook dinplus_milling;
+extern const CodeBook dinplus_measuring;
+extern const CodeBook dinplus_machine;
+extern const CodeBook dinplus_older_functions;
+extern const CodeBook dinplus_m_functions;
+
+} // namespace code_books
+
+std::span<const CodeBook* const> all_code_books() {
+    using namespace code_books;
+    static constexpr std::array list = {
+        &dinplus_contours,
+        &dinplus_c_contours,
+        &dinplus_figures,
+        &dinplus_y_contours,
+        &dinplus_moves_and_feeds,
+        &dinplus_compensation,
+        &dinplus_turning_cycles,
+        &dinplus_threads_and_undercuts,
+        &dinplus_drilling,
+        &dinplus_c_axis,
+        &dinplus_milling,
+        &dinplus_measuring,
+        &dinplus_machine,
+        &dinplus_older_functions,
+        &dinplus_m_functions,
+    };
+    return list;
+}
+
+} // namespace maclint

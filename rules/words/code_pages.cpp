@@ -1,0 +1,68 @@
+//! Cuts the chapters into pages.
+#include "rules/words/code_pages.hpp"
+
+#include "analyzer/dialect/ascii.hpp"
+#include "rules/words/word_list.hpp"
+
+#include <algorithm>
+#include <map>
+#include <string>
+#include <tuple>
+
+namespace maclint {
+namespace {
+
+std::vector<CodePage> make_pages() {
+    std::vector<CodePage> pages;
+    for (const CodeBook* book : all_code_books())
+        for (std::size_t i = 0; i < book->lines.size();) {
+            const BookLine& head = book->lines[i++];
+            const std::size_t first = i;
+            while (i < book->lines.size() && book->lines[i].kind != BookLine::Kind::code) ++i;
+            pages.push_back({book, &head, book->lines.subspan(first, i - first)});
+        }
+    return pages;
+}
+
+using PageOfCode = std::tuple<std::string_view, char, double>; ///< language, letter, number
+
+std::multimap<PageOfCode, const CodePage*> make_index() {
+    std::multimap<PageOfCode, const CodePage*> index;
+    for (const CodePage& page : all_code_pages())
+        for (const std::string_view code : words_of(page.head->row.code))
+            index.emplace(PageOfCode{page.book->language, code.front(), code_number_of(code)}, &page);
+    return index;
+}
+
+const std::multimap<PageOfCode, const CodePage*>& index() {
+    static const auto made = make_index();
+    return made;
+}
+
+} // namespace
+
+std::span<const CodePage> all_code_pages() {
+    static const std::vector<CodePage> pages = make_pages();
+    return pages;
+}
+
+std::vector<const CodePage*> pages_of_code(std::string_view language, std::string_view code) {
+    const std::string name = in_capitals(code);
+    const bool is_code = name.size() > 1 && name.find_first_not_of("0123456789.", 1) == std::string::npos;
+    std::vector<const CodePage*> pages;
+    if (!is_code) return pages;
+    const auto [first, last] = index().equal_range({language, name.front(), code_number_of(name)});
+    for (auto entry = first; entry != last; ++entry) pages.push_back(entry->second);
+    return pages;
+}
+
+bool has_all_codes(std::string_view language) {
+    return std::ranges::any_of(all_code_books(),
+                               [&](const CodeBook* book) { return book->language == language; });
+}
+
+bool has_code_page(std::string_view language, char letter, double code) {
+    return index().contains({language, letter, code});
+}
+
+} // namespace maclint

@@ -1,0 +1,47 @@
+//! A block with a code, and words beside it as its rows want them.
+#pragma once
+
+#include "rules/words/rule_row.hpp"
+
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+namespace maclint {
+
+/// Writes blocks with one code in one section: such as keep all rows, or all but one.
+class ExampleBlock {
+  public:
+    /// `section`: its name with '_' for blanks; empty where sections do not matter.
+    ExampleBlock(const WordTable& table, std::string_view control, std::string_view code,
+                 std::string_view section);
+
+    /// "G83 X10. Q5.", without the end of its line; nullptr: it keeps every row.
+    [[nodiscard]] std::string text(const WordRow* broken = nullptr) const;
+    /// The row on the block after that holds for the words of `text(broken)`; nullptr: there is none.
+    [[nodiscard]] const WordRow* order(const WordRow* broken = nullptr) const;
+    /// As `text()`, for the row: with the words that it is about.
+    [[nodiscard]] std::string text_that_keeps(const WordRow& row) const;
+
+  private:
+    using Words = std::vector<std::pair<std::string, std::string>>;
+
+    [[nodiscard]] Words words(const WordRow* about, bool kept) const;
+    void begin_with(Words& words, const WordRow& row, bool kept) const;
+    bool mend(Words& words, const WordRow& row, std::string_view avoided) const;
+    [[nodiscard]] bool forbids(const Words& words, std::string_view address) const;
+    void add(Words& words, std::string_view address) const;
+    [[nodiscard]] std::string value_of(std::string_view address) const;
+    [[nodiscard]] std::string foreign_word() const;
+    [[nodiscard]] std::string written(const Words& words) const;
+
+    std::string_view language_;
+    std::string code_;
+    std::vector<const WordRow*> rows_; ///< of the code
+};
+
+/// "G83", "G41" of "G41 G42".
+[[nodiscard]] std::string_view first_of(std::string_view list);
+
+} // namespace maclint
