@@ -30,7 +30,8 @@ constexpr std::array<Choice<ShellScript>, 3> shells{
 /// What was typed behind a command, each of which has its own.
 struct Words {
     CheckWords check;
-    std::string format = "text", docs_folder, rule, colour = "auto", shell, about = "check";
+    std::string format = "text", docs_folder, codes_folder, rule, dialect = "auto", colour = "auto", shell,
+                about = "check";
 };
 
 struct Command {
@@ -172,16 +173,23 @@ void declare_rules(CLI::App& app, Words& words) {
     app.add_option("--format", words.format, "text, json or markdown")->type_name("FORMAT");
     app.add_option("--write-docs", words.docs_folder, "Write one page a rule and an index into this folder")
         ->type_name("DIR");
+    app.add_option("--write-codes", words.codes_folder,
+                   "Write what is known of each code, a folder a language, into this folder")
+        ->type_name("DIR");
 }
 
 Request rules_request(const Words& words) {
-    return RulesRequest{choose("--format", words.format, list_formats), words.docs_folder};
+    return RulesRequest{choose("--format", words.format, list_formats), words.docs_folder,
+                        words.codes_folder};
 }
 
 void declare_explain(CLI::App& app, Words& words) {
     app.add_option("RULE", words.rule,
-                   "Code or name, in any case, with the key of a row or without, or a part of it")
+                   "Code or name, in any case, with the key of a row or without, or a part of it; or a code "
+                   "of programs, such as G860")
         ->type_name("");
+    app.add_option("--dialect", words.dialect, "Of a code such as G83: in this language alone")
+        ->type_name("NAME");
     app.add_option("--color", words.colour, "auto, always or never; NO_COLOR is respected")
         ->type_name("WHEN");
 }
@@ -190,7 +198,10 @@ Request explain_request(const Words& words) {
     const ColourChoice colour = choose("--color", words.colour, colours);
     if (words.rule.empty())
         refuse("explain needs a rule. Write 'maclint explain MAC303', or see 'maclint rules'.");
-    return ExplainRequest{words.rule, colour};
+    const Dialect* dialect = find_dialect(words.dialect);
+    if (dialect == nullptr && words.dialect != "auto")
+        refuse_word("--dialect", words.dialect, dialect_words());
+    return ExplainRequest{words.rule, colour, dialect};
 }
 
 void declare_completions(CLI::App& app, Words& words) {
@@ -225,7 +236,8 @@ std::span<const Command> commands() {
     static constexpr std::array<Command, 7> all{
         {{"check", "[PATH...]", "Lint files and folders", "", declare_check_command, check_command},
          {"rules", "", "List the rules", "The list of rules.", declare_rules, rules_request},
-         {"explain", "RULE", "Show a rule's page", "A rule's page.", declare_explain, explain_request},
+         {"explain", "RULE", "Show a rule's page, or a code's", "A rule's page, or a code's.",
+          declare_explain, explain_request},
          {"completions", "SHELL", "Print what bash, zsh or fish need to complete maclint's words",
           "A script on standard output that lets a shell complete maclint's words.", declare_completions,
           completions_request},

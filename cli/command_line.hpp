@@ -53,12 +53,14 @@ struct CheckRequest {
 enum class ListFormat : std::uint8_t { text, json, markdown };
 struct RulesRequest {
     ListFormat format = ListFormat::text;
-    std::string docs_folder; ///< write pages there instead; empty: no
+    std::string docs_folder;  ///< write pages there instead; empty: no
+    std::string codes_folder; ///< and those of codes there
 };
 
 struct ExplainRequest {
     std::string rule;
     ColourChoice colour = ColourChoice::automatic;
+    const Dialect* dialect = nullptr; ///< of a code; nullptr: of any language
 };
 
 /// Text to be printed instead of doing anything: help, version.

@@ -2,12 +2,16 @@
 #include "cli/commands/commands.hpp"
 #include "cli/config/rule_words.hpp"
 #include "cli/engine/engine.hpp"
+#include "cli/report/code_page.hpp"
 #include "cli/report/exemption_page.hpp"
 #include "cli/report/row_page.hpp"
 #include "cli/report/rule_page.hpp"
 #include "cli/suggest.hpp"
 #include "cli/terminal.hpp"
 #include "rules/words/row_examples.hpp"
+
+#include <algorithm>
+#include <vector>
 
 namespace maclint::cli {
 namespace {
@@ -67,6 +71,30 @@ std::string list_of(const std::vector<NamedRule>& named) {
     return plain_list(rules, ListedRows::left_out) + heading + list_of_rows(rows) + "\n" + enumerate(counts);
 }
 
+/// The pages of a code of programs, "G860"; empty where no chapter has it.
+std::string pages_of(const ExplainRequest& request, const PageStyle& style) {
+    std::string text;
+    for (const Dialect& dialect : dialects()) {
+        if (request.dialect != nullptr && request.dialect != &dialect) continue;
+        const std::string_view language = find_control(dialect.default_control)->language;
+        if (language != dialect.name && request.dialect == nullptr)
+            continue; // a dialect of another's language
+        for (const CodePage* page : pages_of_code(language, request.rule))
+            text += (text.empty() ? "" : "\n") + plain_code_page(*page, style);
+    }
+    return text;
+}
+
+/// Rows of other languages on the same code.
+std::vector<NamedRule> of_languages_without_pages(std::vector<NamedRule> named) {
+    std::erase_if(named, [](const NamedRule& one) {
+        return one.row == nullptr || std::ranges::any_of(one.row->rows, [](const RowForCode& entry) {
+                   return has_all_codes(entry.table->language);
+               });
+    });
+    return named;
+}
+
 } // namespace
 
 int run_explain(const ExplainRequest& request) {
@@ -74,6 +102,12 @@ int run_explain(const ExplainRequest& request) {
     if (const auto exemption = find_exemption(request.rule))
         return print_text(plain_exemption_page(*exemption, style));
     const auto named = rules_meant(request.rule);
+    if (const std::string pages = pages_of(request, style); !pages.empty()) {
+        const auto others =
+            request.dialect == nullptr ? of_languages_without_pages(named) : std::vector<NamedRule>();
+        return print_text(pages +
+                          (others.empty() ? "" : "\nIn other languages:\n" + list_of(others) + ".\n"));
+    }
     if (named.size() == 1) {
         const auto& [rule, row] = named.front();
         return print_text(row == nullptr ? page_of(*rule, style) : page_of(*row, style));

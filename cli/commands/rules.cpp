@@ -4,6 +4,7 @@
 #include "analyzer/source/source.hpp"
 #include "cli/commands/commands.hpp"
 #include "cli/config/selection.hpp"
+#include "cli/report/code_page.hpp"
 #include "cli/report/row_page.hpp"
 #include "cli/report/rule_page.hpp"
 #include "cli/suggest.hpp"
@@ -88,13 +89,13 @@ void remove_old_pages(const fs::path& folder) {
     }
 }
 
-/// Whether everything in the folder may be replaced: it is empty, or what stands there was written here.
-bool is_ours(const fs::path& folder) {
+/// Whether everything in the folder may be replaced: it is empty, or its index says that it was written here.
+bool is_ours(const fs::path& folder, std::string_view mark) {
     std::error_code error;
     if (platform::entries_of(folder, error).empty()) return true; // writing says if it is none
     const auto index = Source::read_file(platform::text_of(folder / index_name));
     const auto* source = std::get_if<Source>(&index);
-    return source != nullptr && source->bytes().find(generated_mark) != std::string_view::npos;
+    return source != nullptr && source->bytes().find(mark) != std::string_view::npos;
 }
 
 /// The page with what only a page beside the others can have: its rows, which are many, and a link to the
@@ -105,16 +106,42 @@ std::string written_page(const Rule& rule) {
     return page;
 }
 
-int write_docs(const std::string& folder) {
+/// Makes the folder; false, with a word to the user, where it holds what `option` did not write.
+bool take_folder(const fs::path& path, std::string_view mark, std::string_view option) {
     std::error_code ignored;
-    const fs::path path = platform::path_of(folder);
     fs::create_directories(path, ignored);
-    if (!is_ours(path)) {
-        print_notice({NoticeKind::unreadable, folder,
-                      "this folder holds files, and no " + std::string(index_name) +
-                          " that --write-docs wrote. Name an empty folder."});
+    if (is_ours(path, mark)) return true;
+    print_notice({NoticeKind::unreadable, platform::text_of(path),
+                  "this folder holds files, and no " + std::string(index_name) + " that " +
+                      std::string(option) + " wrote. Name an empty folder."});
+    return false;
+}
+
+int write_codes(const std::string& folder) {
+    std::vector<std::string_view> languages;
+    for (const CodeBook* book : all_code_books())
+        if (std::ranges::find(languages, book->language) == languages.end())
+            languages.push_back(book->language);
+    for (const std::string_view language : languages) {
+        const fs::path path = platform::path_of(folder) / platform::path_of(std::string(language));
+        if (!take_folder(path, codes_mark, "--write-codes")) return exit_error;
+        std::error_code ignored;
+        for (const auto& entry : platform::entries_of(path, ignored))
+            if (platform::text_of(entry.path.filename()).ends_with(".md")) fs::remove(entry.path, ignored);
+        auto failure = write_to(platform::text_of(path / index_name), markdown_codes(language));
+        for (const CodeBook* book : all_code_books())
+            if (!failure && book->language == language)
+                failure = write_to(platform::text_of(path / chapter_file(*book)), markdown_chapter(*book));
+        if (!failure) continue;
+        print_notice(*failure);
         return exit_error;
     }
+    return exit_clean;
+}
+
+int write_docs(const std::string& folder) {
+    const fs::path path = platform::path_of(folder);
+    if (!take_folder(path, generated_mark, "--write-docs")) return exit_error;
     remove_old_pages(path);
     auto failure = write_to(platform::text_of(path / index_name), markdown_index());
     for (const Rule* rule : all_rules())
@@ -127,6 +154,10 @@ int write_docs(const std::string& folder) {
 } // namespace
 
 int run_rules_command(const RulesRequest& request) {
+    if (!request.codes_folder.empty()) {
+        const int status = write_codes(request.codes_folder);
+        if (status != exit_clean || request.docs_folder.empty()) return status;
+    }
     if (!request.docs_folder.empty()) return write_docs(request.docs_folder);
     switch (request.format) {
     case ListFormat::text: return print_text(text_list());

@@ -137,6 +137,10 @@ std::string list_of_rows(std::span<const RuleRow* const> rows) {
 }
 
 std::string list_below(const Rule& rule) {
+    constexpr std::size_t most_rows = 12;
+    if (rows_of(rule).size() > most_rows)
+        return "    /" + rows_of(rule).front().key + " and " + std::to_string(rows_of(rule).size() - 1) +
+               " more rows: 'maclint explain " + std::string(rule.code) + "' lists them\n";
     std::size_t widest = 0;
     for (const RuleRow& row : rows_of(rule)) widest = std::max(widest, row.key.size() + 1);
     std::string out;

@@ -18,10 +18,10 @@ std::string_view usual_effect(RowStatement says) {
     switch (says) {
     case RowStatement::needs: return "the code lacks what it works with";
     case RowStatement::takes_not:
-    case RowStatement::takes_only: return "the manual lists no such word there";
+    case RowStatement::takes_only: return "the manual lists no such word";
     case RowStatement::excludes: return "each says the same in its own way";
     case RowStatement::only_with: return "without it the word says nothing";
-    case RowStatement::values: return "the manual knows no other";
+    case RowStatement::values: return no_other_value;
     case RowStatement::whole: return "it counts";
     case RowStatement::alone: return "it is programmed in a block of its own";
     case RowStatement::apart: return "the control takes one of them";

@@ -27,20 +27,13 @@ extern const CodeBook dinplus_m_functions;
 std::span<const CodeBook* const> all_code_books() {
     using namespace code_books;
     static constexpr std::array list = {
-        &dinplus_contours,
-        &dinplus_c_contours,
-        &dinplus_figures,
-        &dinplus_y_contours,
-        &dinplus_moves_and_feeds,
-        &dinplus_compensation,
-        &dinplus_turning_cycles,
-        &dinplus_threads_and_undercuts,
-        &dinplus_drilling,
-        &dinplus_c_axis,
-        &dinplus_milling,
-        &dinplus_measuring,
-        &dinplus_machine,
-        &dinplus_older_functions,
+        &dinplus_contours,        &dinplus_c_contours,
+        &dinplus_figures,         &dinplus_y_contours,
+        &dinplus_moves_and_feeds, &dinplus_compensation,
+        &dinplus_turning_cycles,  &dinplus_threads_and_undercuts,
+        &dinplus_drilling,        &dinplus_c_axis,
+        &dinplus_milling,         &dinplus_measuring,
+        &dinplus_machine,         &dinplus_older_functions,
         &dinplus_m_functions,
     };
     return list;

@@ -5,6 +5,7 @@
 #include "analyzer/program/tables.hpp"
 #include "rules/words/code_pages.hpp"
 #include "rules/words/row_of_block.hpp"
+#include "rules/words/row_text.hpp"
 #include "rules/words/word_list.hpp"
 
 #include <algorithm>
@@ -24,6 +25,11 @@ std::int64_t code_number(char letter, double code) {
     return std::llround(code * decimals) * letters + static_cast<unsigned char>(letter);
 }
 
+/// Whether the code says the same wherever it stands.
+bool has_one_page(std::string_view language, const RowForCode& row) {
+    return pages_of_code(language, code_of(row)).size() == 1;
+}
+
 /// `sections`: names with blanks between them; empty: any.
 bool stands_in(std::string_view sections, std::string_view section) {
     std::string name(section);
@@ -39,7 +45,10 @@ bool holds(const RowForCode& code, const ControlModel& control, std::string_view
     if (!row.controls.empty() && !has_word(row.controls, control.name) &&
         !has_word(row.controls, control.model))
         return false;
-    return stands_in(row.sections.empty() ? table.sections : row.sections, section);
+    const std::string_view sections = row.sections.empty() ? table.sections : row.sections;
+    if (section == unknown_section && !sections.empty())
+        return row.says != RowStatement::refused && has_one_page(table.language, code);
+    return stands_in(sections, section);
 }
 
 /// The number of the code that the word is; -1 where it is none.
@@ -115,7 +124,8 @@ RowIndex::RowIndex(const ControlModel& control, std::string_view section, const 
     }
     std::ranges::stable_sort(entries_, {}, &Entry::code);
     for (const CodePage& page : all_code_pages()) {
-        if (page.book->language != control.language || !stands_in(page.sections(), section)) continue;
+        if (page.book->language != control.language) continue;
+        if (section != unknown_section && !stands_in(page.sections(), section)) continue;
         for (const std::string_view code : words_of(page.head->row.code)) {
             auto& words = words_of_codes_[code_number(code.front(), code_number_of(code))];
             for (const BookLine& line : page.lines)

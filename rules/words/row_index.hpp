@@ -14,6 +14,10 @@
 
 namespace maclint {
 
+/// For the section of a program that names none, in a language that has sections: only what a code says
+/// everywhere holds there.
+inline constexpr std::string_view unknown_section = "?";
+
 class RowIndex {
   public:
     /// A row under one of its codes, and the addresses that it names.

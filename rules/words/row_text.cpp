@@ -2,9 +2,11 @@
 #include "rules/words/row_text.hpp"
 
 #include "rules/path.hpp"
+#include "rules/words/book_rows.hpp"
 #include "rules/words/row_condition.hpp"
 #include "rules/words/word_list.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 namespace maclint {
@@ -17,20 +19,24 @@ std::string rule_in_words(const RowForCode& of_code) {
     switch (row.says) {
     case RowStatement::needs: return code + " needs " + words + "; without it ";
     case RowStatement::takes_only:
-        return code + (row.words.empty() ? " takes no words: " : " takes " + all_of(row.words) + " alone: ");
+        return code + " takes no words" + (row.words.empty() ? ": " : " but " + all_of(row.words) + ": ");
     case RowStatement::apart: return code + " does not stand beside " + either_of(row.others) + ": ";
     case RowStatement::takes_not: return code + " does not take " + words + ": ";
     case RowStatement::excludes:
         return code + " takes " + words + " or " + either_of(row.others) + ", not both: ";
     case RowStatement::only_with:
         return words + " of " + code + " counts beside " + partners_of(row) + " only: ";
-    case RowStatement::values: return code + " takes " + words + " of " + values_allowed_by(row) + "; else ";
+    case RowStatement::values:
+        return code + " takes " + words + " of " + values_allowed_by(row) +
+               (row.effect == no_other_value ? ": " : "; else ");
     case RowStatement::whole: return words + " of " + code + " has no decimal point; with one ";
     case RowStatement::alone:
         return code + " stands alone in its block" +
                (row.words.empty() ? ": " : ", beside " + either_of(row.words) + " at most: ");
     case RowStatement::precedes: return "The block after " + code + " holds " + either_of(row.others) + ": ";
-    case RowStatement::refused: return code + " has no place here: ";
+    case RowStatement::refused:
+        return code + " has no place " +
+               (row.sections.empty() ? "here" : "in " + sections_in_words(row.sections)) + ": ";
     }
     return {};
 }
@@ -56,6 +62,12 @@ std::string values_allowed_by(const WordRow& row) {
     const std::string most = (row.below_most ? "less than " : "at most ") + number_word(row.most);
     if (!std::isfinite(row.most)) return least;
     return std::isfinite(row.least) ? least + " and " + most : most;
+}
+
+std::string sections_in_words(std::string_view sections) {
+    std::string names = all_of(sections);
+    std::ranges::replace(names, '_', ' ');
+    return names;
 }
 
 std::string partners_of(const WordRow& row) {

@@ -16,6 +16,9 @@ namespace maclint {
 /// The words beside which those of the row count: "ID", "Q of 1, 2 or 3 or A".
 [[nodiscard]] std::string partners_of(const WordRow& row);
 
+/// "BLANK, FINISHED and FACE C".
+[[nodiscard]] std::string sections_in_words(std::string_view sections);
+
 /// "G83", as the row names it.
 [[nodiscard]] std::string code_of(const RowForCode& row);
 

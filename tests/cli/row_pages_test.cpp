@@ -47,7 +47,7 @@ TEST_F(RowPages, AreListedWhereAWordMayMeanSeveral) {
     EXPECT_EQ(two.status, 0);
     EXPECT_THAT(two.out, AllOf(HasSubstr("    MAC576/G62.H"), HasSubstr("    MAC576/G162.H"),
                                HasSubstr("\n2 rows may be meant by 'DIN901'.\n")));
-    EXPECT_THAT(run({"explain", "G30"}).out,
+    EXPECT_THAT(run({"explain", "G30", "--dialect", "fanuc"}).out,
                 AllOf(HasSubstr("DIN906 g30-left-active"), HasSubstr("\nrows\n    MAC523/G30."),
                       ContainsRegex("\n1 rule and [0-9]+ rows may be meant by 'G30'[.]\n")));
     EXPECT_THAT(run({"explain", "MAC523/G76"}).out, StartsWith("MAC523/G76.Q"));

@@ -163,7 +163,7 @@ bash ask.bash "$maclint" )sh" + words);
 TEST_F(CompletionsOfBash, OfferCommandsOptionsAndValues) {
     EXPECT_THAT(offered("maclint ex"), ElementsAre("explain"));
     EXPECT_THAT(offered("maclint --stdin"), ElementsAre("--stdin-filename"));
-    EXPECT_THAT(offered("maclint rules --w"), ElementsAre("--write-docs"));
+    EXPECT_THAT(offered("maclint rules --w"), ElementsAre("--write-docs", "--write-codes"));
     EXPECT_THAT(offered("maclint rules --form"), ElementsAre("--format"));
     EXPECT_THAT(offered("maclint rules --sel"), IsEmpty());
     EXPECT_THAT(offered("maclint --format sa"), ElementsAre("sarif"));

@@ -1,0 +1,26 @@
+//! A code's page: its words, where it may stand, and the rules that watch it; for `explain` and the
+//! documentation.
+#pragma once
+
+#include "cli/report/plain_page.hpp"
+#include "rules/words/code_pages.hpp"
+
+#include <string>
+#include <string_view>
+
+namespace maclint::cli {
+
+[[nodiscard]] std::string plain_code_page(const CodePage& page, const PageStyle& style);
+
+/// Markdown of a chapter, a heading of the second level for each code.
+[[nodiscard]] std::string markdown_chapter(const CodeBook& book);
+/// Markdown that lists all codes of a language with links to their chapters.
+[[nodiscard]] std::string markdown_codes(std::string_view language);
+/// "turning-cycles.md".
+[[nodiscard]] std::string chapter_file(const CodeBook& book);
+
+/// In the folders of chapters: by it they are known again.
+inline constexpr std::string_view codes_mark =
+    "Made from the chapters of codes by `maclint rules --write-codes`.";
+
+} // namespace maclint::cli
