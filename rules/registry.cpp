@@ -16,6 +16,7 @@
     RULE(oversized_block)                       /* MAC004 */ \
     RULE(other_control)                         /* MAC005 */ \
     RULE(unterminated_comment)                  /* MAC102 */ \
+    RULE(lower_case_code)                       /* MAC104 */ \
     RULE(letter_o_for_zero)                     /* MAC106 */ \
     RULE(address_without_value)                 /* MAC109 */ \
     RULE(parenthesis_as_bracket)                /* MAC116 */ \
@@ -117,6 +118,7 @@
     RULE(redundant_recompute)                   /* MAC720 */ \
     RULE(missing_tolerance)                     /* MAC726 */ \
     RULE(block_must_be_alone)                    /* DIN008 */ \
+    RULE(foreign_comment_style)                 /* DIN013 */ \
     RULE(unit_unbalanced)                        /* DIN015 */ \
     RULE(missing_machining)                      /* DIN101 */ \
     RULE(missing_end)                            /* DIN102 */ \
@@ -131,6 +133,7 @@
     RULE(loop_variable_uninitialised)            /* DIN407 */ \
     RULE(switch_unbalanced)                      /* DIN409 */ \
     RULE(case_without_break)                     /* DIN410 */ \
+    RULE(duplicate_case)                        /* DIN411 */ \
     RULE(m99_target)                             /* DIN415 */ \
     RULE(state_leak_from_sub)                    /* DIN519 */ \
     RULE(radius_comp_not_cancelled)              /* DIN619 */ \

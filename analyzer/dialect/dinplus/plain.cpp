@@ -47,6 +47,17 @@ void set_bytes(PlainTables& tables, std::string_view bytes, PlainStart start) {
     for (const char c : bytes) tables.bytes[static_cast<unsigned char>(c)].start = start;
 }
 
+/// The bit of the codes that contradict this one; 0: none does.
+std::uint32_t exclusive_bit(char letter, std::size_t code) {
+    const std::vector<ExclusiveCodes>& rows = control().exclusive_codes;
+    assert(rows.size() <= 32 && "a bit for each row");
+    for (std::size_t i = 0; i < rows.size(); ++i)
+        if (rows[i].letter == letter &&
+            std::ranges::find(rows[i].codes, static_cast<double>(code)) != rows[i].codes.end())
+            return std::uint32_t{1} << i;
+    return 0;
+}
+
 /// Every address begins a word whose number means nothing.
 PlainTables descriptions() {
     PlainTables tables{};
@@ -71,7 +82,8 @@ PlainTables descriptions() {
     // Codes of descriptions set nothing, but rules ask where they stand.
     row_of(tables, "G").start = PlainStart::code;
     for (std::size_t code = 0; code < codes; ++code)
-        tables.codes[0].rows.push_back({.kind = syntax::CodeSet::kind_of(0, code)});
+        tables.codes[0].rows.push_back(
+            {.kind = syntax::CodeSet::kind_of(0, code), .exclusive = exclusive_bit('G', code)});
     tables.comment_end = ']';
     tables.incremental = 'i';
     tables.not_after_number = 'O';
@@ -97,7 +109,7 @@ PlainCode plain_code(char letter, std::size_t code) {
     // Rules ask for the state in front of the words that set the other groups, and mark these words.
     if (group && control().groups[*group].role != ModalRole::motion) plain |= scanned::not_plain;
     return {group.value_or(syntax::no_group), static_cast<std::uint8_t>(plain),
-            syntax::CodeSet::kind_of(letter == 'G' ? 0 : 1, code)};
+            syntax::CodeSet::kind_of(letter == 'G' ? 0 : 1, code), exclusive_bit(letter, code)};
 }
 
 PlainTables commands() {
