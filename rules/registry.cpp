@@ -16,6 +16,7 @@
     RULE(oversized_block)                       /* MAC004 */ \
     RULE(other_control)                         /* MAC005 */ \
     RULE(unterminated_comment)                  /* MAC102 */ \
+    RULE(lower_case_code)                       /* MAC104 */ \
     RULE(letter_o_for_zero)                     /* MAC106 */ \
     RULE(address_without_value)                 /* MAC109 */ \
     RULE(parenthesis_as_bracket)                /* MAC116 */ \
@@ -119,11 +120,16 @@
     RULE(duplicate_subcondition)                /* MAC719 */ \
     RULE(redundant_recompute)                   /* MAC720 */ \
     RULE(missing_tolerance)                     /* MAC726 */ \
+    RULE(block_number_too_long)                  /* DIN004 */ \
     RULE(block_must_be_alone)                    /* DIN008 */ \
+    RULE(foreign_comment_style)                 /* DIN013 */ \
     RULE(unit_unbalanced)                        /* DIN015 */ \
     RULE(missing_machining)                      /* DIN101 */ \
     RULE(missing_end)                            /* DIN102 */ \
     RULE(content_after_end)                      /* DIN103 */ \
+    RULE(section_order)                          /* DIN105 */ \
+    RULE(section_repeated)                       /* DIN106 */ \
+    RULE(section_parameter)                      /* DIN109 */ \
     RULE(def_with_hash)                          /* DIN323 */ \
     RULE(assign_vs_compare)                      /* DIN326 */ \
     RULE(transfer_value_unchecked)               /* DIN330 */ \
@@ -134,6 +140,7 @@
     RULE(loop_variable_uninitialised)            /* DIN407 */ \
     RULE(switch_unbalanced)                      /* DIN409 */ \
     RULE(case_without_break)                     /* DIN410 */ \
+    RULE(duplicate_case)                        /* DIN411 */ \
     RULE(m99_target)                             /* DIN415 */ \
     RULE(state_leak_from_sub)                    /* DIN519 */ \
     RULE(radius_comp_not_cancelled)              /* DIN619 */ \

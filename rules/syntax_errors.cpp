@@ -41,6 +41,7 @@ std::string reason_of(const SyntaxError& error) {
     case SyntaxErrorKind::jump_beside_statement:
     case SyntaxErrorKind::function_without_brackets:
     case SyntaxErrorKind::comparison_as_value:
+    case SyntaxErrorKind::foreign_remark:
     case SyntaxErrorKind::oversized_block: return "";
     case SyntaxErrorKind::bracket_mismatch: return error.cure;
     case SyntaxErrorKind::unreadable: return error.cure.empty() ? without_digits(error.subject) : error.cure;

@@ -314,7 +314,7 @@ using ModalSetting = syntax::Setting;
 struct WordSummary {
     syntax::AddressSet addresses;
     syntax::AddressSet repeated; ///< in one block, where they may not by the tables
-    bool conflicts = false;      ///< a modal group is set twice in one block
+    bool conflicts = false;      ///< a modal group is set twice in one block, or codes exclude each other
     syntax::CodeSet codes = {};
 };
 

@@ -53,6 +53,39 @@ enum class SyntaxErrorKind : std::uint8_t {
     sign_after_sign,             ///< `#2--#3`; cure: with brackets
     condition_before_return,     ///< `[#1 LT 5] M99 P10`
     wide_sign,                   ///< subject: a character that looks like a sign; cure: the sign
+    foreign_remark,              ///< `(text)`, `; text`; cure: the remark as the language has it
+    small_letters,               ///< `g1`; cure: the word in capitals
+    unknown_variable,            ///< `#l100`; cure: which there are
+    read_only_variable,          ///< something is stored in it; cure: what it holds
+    reserved_variable,           ///< something is stored in it; cure: for whom it is kept
+    text_for_number,             ///< subject: the text; cure: what holds numbers
+    number_for_text,             ///< subject: the number; cure: what holds texts
+    text_in_calculation,         ///< `"a"*2`; cure: the operator or function that takes numbers
+    other_plc_type,              ///< `#l1=#e2("Name")`; cure: what the operand holds
+    fraction_for_integer,        ///< subject: the value; cure: the variable that holds whole numbers
+    integer_overflow,            ///< subject: the value; cure: the variable that holds whole numbers
+    malformed_name,              ///< of a constant or variable; cure: what is wrong with it
+    constant_too_early,          ///< read by a definition that stands before its own
+    constant_stored,             ///< subject: the constant that something is stored in
+    undeclared_name,             ///< subject: the name
+    calculated_index,            ///< `#g(#l1+1)`; cure: the calculation
+    unknown_selector,            ///< `#w0(XX)`; cure: which there are
+    unknown_internal_constant,   ///< `__n0_q`
+    other_vacancy_test,          ///< `DVDEF(__la)`; cure: the test that asks for it
+    argument_count,              ///< subject: the function; cure: how many arguments it takes
+    bit_out_of_range,            ///< subject: the argument of BITSET; cure: what it may be
+    window_out_of_range,         ///< subject: the lines of a WINDOW
+    input_into_no_variable,      ///< subject: what stands in the place of the variable
+    too_many_conditions,         ///< subject: the condition; cure: how many there are
+    selection_of_calculation,    ///< `SWITCH #l1+1`; subject: the calculation
+    unknown_call_word,           ///< subject: a word of a call that passes nothing
+    too_many_arguments,          ///< subject: the first one too many; cure: how many there may be
+    repeat_count,                ///< subject: the word; cure: what it may be
+    number_for_block,            ///< subject: a word whose number is no block; cure: what it may be
+    long_program_name,           ///< subject: the name; cure: how many characters it may have
+    description_unbalanced,      ///< `[//]` that lacks the other one
+    wrong_description,           ///< subject: of a transfer value; cure: what is wrong with it
+    converted_leftover,          ///< subject: a remark that a converter left in the place of a block
     unreadable,                  ///< nothing more exact is known; cure: what was expected
 };
 

@@ -57,6 +57,20 @@ struct MachineFunctions {
 /// What a control drives: words such as G90 mean different things on the two.
 enum class Machine : std::uint8_t { mill, lathe };
 
+/// Codes of which a block may hold one: they contradict each other.
+struct ExclusiveCodes {
+    std::string_view name; ///< "spindle 1"
+    char letter;
+    std::vector<double> codes;
+    std::string_view source;
+};
+
+/// What a control does with a block that holds an address twice, or two codes that contradict each other.
+enum class Contradiction : std::uint8_t {
+    last_counts, ///< it takes the last one, or stops, as a parameter says
+    forbidden,   ///< the language has no such block
+};
+
 /// Everything that the analysis knows about a control; built once, shared by all programs of that control.
 struct ControlModel {
     std::string name;          ///< "fanuc-16i"; what --control takes
@@ -97,6 +111,9 @@ struct ControlModel {
     std::vector<ReferenceKind> references = {};
     /// Addresses that a block may hold more than once, and those that it may where it calls a program.
     std::vector<std::string_view> repeatable = {}, repeatable_arguments = {};
+    Contradiction contradiction = Contradiction::last_counts;
+    /// Empty: the codes of a modal group exclude each other.
+    std::vector<ExclusiveCodes> exclusive_codes = {};
 
     [[nodiscard]] bool has(Capability capability) const;
     /// The one of `lathes` with that system, or nullptr.

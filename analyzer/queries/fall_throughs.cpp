@@ -3,12 +3,26 @@
 
 #include "analyzer/source/work_limit.hpp"
 
+#include <algorithm>
 #include <optional>
+#include <ranges>
 #include <utility>
 #include <variant>
 
 namespace maclint::queries {
 namespace {
+
+/// Whether no block stands between the two: `CASE 1` and `CASE 2` have one branch.
+bool share_a_branch(const Program& program, EffectId branch, EffectId next) {
+    const auto item_at = [&](EffectId effect) {
+        const auto items = std::views::iota(Id{0}, static_cast<Id>(program.items.size()));
+        const Offset place = program.effects[effect].span.begin;
+        const auto after = std::ranges::upper_bound(items, place, {},
+                                                    [&](ItemId item) { return program.span_of(item).begin; });
+        return after - items.begin();
+    };
+    return item_at(branch) + 1 == item_at(next);
+}
 
 /// Whether some path leads from the branch past the head of the next one. Nodes are in the order of the text:
 /// the paths of BREAK go beyond the close, those of the test to the next head itself.
@@ -35,7 +49,8 @@ std::vector<FallThrough> find_fall_throughs(const ProgramAnalysis& analysis) {
         for (const EffectId part : region.parts) {
             if (std::get<RegionMark>(program.effects[part].what).part != RegionMark::Part::middle) continue;
             const auto before = std::exchange(branch, part);
-            if (before && runs_into(analysis, *before, part, *region.close)) found.push_back({*before, part});
+            if (!before || share_a_branch(program, *before, part)) continue;
+            if (runs_into(analysis, *before, part, *region.close)) found.push_back({*before, part});
         }
     }
     return found;

@@ -14,7 +14,7 @@ struct FallThrough {
 };
 
 /// In the order of selections, of each in the order of its branches. Selections without their close are left
-/// out.
+/// out, and branches without a block, which share that of the next one.
 [[nodiscard]] std::vector<FallThrough> find_fall_throughs(const ProgramAnalysis& analysis);
 
 } // namespace maclint::queries

@@ -115,7 +115,8 @@ std::optional<std::vector<Variable>> unchanging_deciders(const ProgramAnalysis& 
 }
 
 bool is_loop_condition(const ProgramAnalysis& analysis, const dataflow::Condition& condition) {
-    return std::holds_alternative<RegionMark>(analysis.program().effects[condition.effect].what);
+    const auto* mark = std::get_if<RegionMark>(&analysis.program().effects[condition.effect].what);
+    return mark != nullptr && is_loop(mark->region_kind);
 }
 
 bool never_ends(const ProgramAnalysis& analysis, const dataflow::Condition& condition) {

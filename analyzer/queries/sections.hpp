@@ -4,6 +4,8 @@
 #include "analyzer/program/model.hpp"
 #include "analyzer/program/section_kinds.hpp"
 
+#include <vector>
+
 namespace maclint::queries {
 
 /// A program that an operator starts, that is divided into sections, and that is there from its beginning: it
@@ -14,6 +16,10 @@ namespace maclint::queries {
 [[nodiscard]] bool has_section(const Program& program, const SectionKind& kind);
 /// Whether one of the program's sections has the role; false for every role in a language without sections.
 [[nodiscard]] bool has_section(const Program& program, SectionKind::Role role);
+
+/// The words beside the section's name: "Z0" of `FACE_C Z0`. None where one of them is no address with a
+/// number.
+[[nodiscard]] std::vector<Word> heading_words(const Program& program, const Section& section);
 
 /// The line that begins the first section; empty when there is none.
 [[nodiscard]] Span first_heading(const Program& program);

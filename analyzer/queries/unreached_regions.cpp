@@ -4,6 +4,7 @@
 #include "analyzer/dialect/ascii.hpp"
 #include "analyzer/dialect/characters.hpp"
 #include "analyzer/program/block_view.hpp"
+#include "analyzer/program/tables.hpp"
 #include "analyzer/queries/callers.hpp"
 
 #include <algorithm>
@@ -74,6 +75,12 @@ bool is_passed_on_purpose(const ProgramAnalysis& analysis, const UnreachedRegion
         analysis.program().slice({effect.span.end, analysis.graph().nodes[region.first - 1].part.end});
     return exemptions::remark_behind_jump.is_on() && std::holds_alternative<Jump>(effect.what) &&
            std::ranges::any_of(behind, is_letter);
+}
+
+/// Where nothing jumps, no block is kept for a jump to come: whatever it does is lost.
+bool does_anything(const Program& program, const Effect& effect) {
+    return !program.control->has(Capability::jumps) && !is_end(effect) &&
+           !std::holds_alternative<RegionMark>(effect.what);
 }
 
 UnreachedRegion region_at(flow::NodeId node, Span part) {
@@ -152,7 +159,10 @@ void look_at_block(const Program& program, const BlockView& block, UnreachedRegi
     const auto effects = program.effects_in(block.effects);
     region.leaves |= std::ranges::any_of(effects, is_end);
     region.moves |= block.moves || std::ranges::any_of(effects, moves_or_calls);
-    const bool works_here = block.moves || !block.settings.empty() || std::ranges::any_of(effects, works);
+    const bool works_here =
+        block.moves || !block.settings.empty() || std::ranges::any_of(effects, [&](const Effect& effect) {
+            return works(effect) || does_anything(program, effect);
+        });
     if (works_here && !region.work) region.work = block.span;
     if (block.moves || std::ranges::any_of(effects, does_more_than_switch)) region.only_switches = false;
     if (region.head.empty()) {

@@ -29,7 +29,7 @@ struct PlainBlock {
     AddressSet addresses;
     AddressSet repeated; ///< those that stand there more than once
     CodeSet codes;
-    bool conflicts; ///< one group is set more than once
+    bool conflicts; ///< one group is set more than once, or exclusive codes stand there
     bool moves;
     std::uint8_t settings_count;
     std::array<Setting, most_settings> settings_memory;
@@ -257,6 +257,8 @@ class PlainScanner {
         if ((found.traits & plain_traits::not_plain) != 0) return false;
         traits_ |= found.traits;
         codes_.add(found.kind);
+        conflicts_ |= (exclusive_ & found.exclusive) != 0;
+        exclusive_ |= found.exclusive;
         return found.group == no_group || set(found.group, scaled(mantissa_, decimals_));
     }
 
@@ -299,6 +301,7 @@ class PlainScanner {
     const char* last_ = nullptr;
     std::uint64_t mantissa_ = 0;
     std::uint64_t groups_ = 0;
+    std::uint32_t exclusive_ = 0;
     AddressSet addresses_;
     AddressSet repeated_;
     CodeSet codes_;

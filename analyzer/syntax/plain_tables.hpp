@@ -128,6 +128,8 @@ struct PlainCode {
     std::uint8_t group = no_group; ///< that it sets
     std::uint8_t traits = 0;
     CodeSet::Kind kind = 0;
+    /// A bit for codes of which a block may hold one, whatever they set; 0: it may hold any number.
+    std::uint32_t exclusive = 0;
 };
 
 /// The codes of an address.

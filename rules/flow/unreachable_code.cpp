@@ -54,6 +54,13 @@ N10 G0 X100 Z2
 N20 M30
 N30 G14 Q0
 END
+)nc"},
+            {"dinplus", R"nc(
+%DWELL.ncs
+MACHINING
+N1 RETURN
+N2 G4 F2
+RETURN
 )nc"}},
     .good = {{"fanuc", R"nc(
 O9460(POCKET, X Y)

@@ -1,11 +1,21 @@
 //! Chooses the message for blocks that no path reaches.
 #include "rules/flow/unreached_words.hpp"
 
+#include "analyzer/program/tables.hpp"
 #include "rules/path.hpp"
 
 #include <variant>
 
 namespace maclint::rules {
+namespace {
+
+/// Whether nobody can begin in the middle of the program: it is called, and nothing jumps.
+bool begins_at_its_head(const ProgramAnalysis& analysis) {
+    return analysis.program().started == Program::Started::by_call &&
+           !analysis.control().has(Capability::jumps);
+}
+
+} // namespace
 
 std::optional<UnreachedWords> words_for(const ProgramAnalysis& analysis,
                                         const queries::UnreachedRegion& region, bool another_is_raised) {
@@ -26,10 +36,12 @@ std::optional<UnreachedWords> words_for(const ProgramAnalysis& analysis,
     }
     const auto* stop = std::get_if<Stop>(&ender.what);
     const bool ends = stop != nullptr && stop->kind != Stop::Kind::alarm;
-    if (!region.work || (exemptions::leads_to_an_end.is_on() && region.leaves)) return std::nullopt;
+    if (!region.work) return std::nullopt;
+    if (exemptions::leads_to_an_end.is_on() && region.leaves && !begins_at_its_head(analysis))
+        return std::nullopt;
     if (exemptions::switches_behind_end.is_on() && ends && region.only_switches)
         return std::nullopt; // the end of a program switches off as well
-    if (!region.number || ends) {
+    if (!region.number || ends || !analysis.control().has(Capability::jumps)) {
         // Who puts a GOTO in front of blocks switches them off for a while.
         const bool is_sure = !std::holds_alternative<Jump>(ender.what);
         return UnreachedWords{is_sure ? "after" : "passed",

@@ -22,11 +22,13 @@ void check(const queries::WordsOfBlock& block, Reporter& reporter);
 extern const Rule duplicate_address{
     .code = "MAC559",
     .name = "duplicate-address",
+    .aliases = "DIN006",
     .summary = "An address stands twice in a block",
     .why =
         "A block has one place for each address. Many controls take the last word without a message and"
         " move somewhere else than the first one says, others stop with an alarm. Often a line end was lost.",
     .severity = Severity::warning,
+    .severity_elsewhere = {{"dinplus", Severity::error}},
     .precision = Precision::high,
     .needs = {Capability::exclusive_words},
     .messages =
@@ -39,12 +41,22 @@ extern const Rule duplicate_address{
          {"several",
           "Addresses {0} stand twice in one block: the control takes the last word of each, or stops with "
           "{1}.",
+          "Write two blocks if a line end was lost."},
+         {"forbidden", "Address {0} stands twice in one block, which the language forbids: '{1}' and '{2}'.",
+          "Remove the word that is not meant, or write two blocks."},
+         {"several-forbidden", "Addresses {0} stand twice in one block, which the language forbids.",
           "Write two blocks if a line end was lost."}},
     .bad = {{"fanuc", R"nc(
 O9559(EDGE)
 G90 G1 X10. Y20. F200.
 X50. Y20. X60.
 M30
+)nc"},
+            {"dinplus", R"nc(
+MACHINING
+N10 G1 X60 Z2 X50
+N11 M30
+END
 )nc"}},
     .good = {{"fanuc", R"nc(
 O9559(EDGE)
@@ -54,7 +66,7 @@ X60.
 M30
 )nc"}},
     .alarms = {{"FANUC 16i/18i/21i", "5074", "ADDRESS DUPLICATION ERROR"}},
-    .sources = {"T: alarm 5074"},
+    .sources = {"T: alarm 5074", "SEED-003:10226-10231"},
     .check = WordCheck{.addresses = "", .blocks = WordCheck::Blocks::repeated, .check = &check},
 };
 
@@ -73,7 +85,7 @@ struct Occurrence {
     const Word* last;
 };
 
-/// In the order of their first words. A block has few addresses, however many words.
+/// In the order of their first words.
 std::vector<Occurrence> occurrences_in(std::span<const Word> words) {
     std::vector<Occurrence> occurrences;
     for (const Word& word : words) {
@@ -101,16 +113,19 @@ void check(const queries::WordsOfBlock& block, Reporter& reporter) {
         addresses += (addresses.empty() ? "" : ", ") + std::string(address.address);
     const auto [address, first, last] = *std::ranges::min_element(
         repeated, {}, [](const Occurrence& occurrence) { return occurrence.last->span.begin; });
-    const Program& program = block.analysis.program();
-    const std::string before = quoted(program, first->span);
-    const std::string after = quoted(program, last->span);
+    const std::string before = quoted(block.analysis.program(), first->span);
+    const std::string after = quoted(block.analysis.program(), last->span);
     const auto report = [&](std::string_view message, std::vector<std::string> arguments) -> Finding& {
         return reporter.report({block.analysis, last->span}, last->span, message, std::move(arguments));
     };
     const std::string alarm = reporter.alarm_words(block.analysis.file());
-    Finding& finding = repeated.size() > 1 ? report("several", {addresses, alarm})
-                       : before == after   ? report("same", {addresses, after, alarm})
-                                           : report("twice", {addresses, before, after, alarm});
+    const bool several = repeated.size() > 1;
+    const bool forbidden = block.analysis.control().contradiction == Contradiction::forbidden;
+    Finding& finding = several && forbidden ? report("several-forbidden", {addresses})
+                       : several            ? report("several", {addresses, alarm})
+                       : forbidden          ? report("forbidden", {addresses, before, after})
+                       : before == after    ? report("same", {addresses, after, alarm})
+                                            : report("twice", {addresses, before, after, alarm});
     finding.related.push_back({block.analysis.source(), first->span, "the first one stands here"});
 }
 

@@ -1,6 +1,7 @@
 //! MAC514: two codes of one modal group in a block.
 #include "analyzer/program/tables.hpp"
 #include "analyzer/queries/block_words.hpp"
+#include "analyzer/queries/exclusive_codes.hpp"
 #include "analyzer/workspace/program_analysis.hpp"
 #include "rules/path.hpp"
 #include "rules/rule.hpp"
@@ -20,71 +21,98 @@ void check(const queries::WordsOfBlock& block, Reporter& reporter);
 extern const Rule modal_group_conflict{
     .code = "MAC514",
     .name = "modal-group-conflict",
+    .aliases = "DIN007",
     .summary = "Two codes of one modal group stand in a block: only the last is effective",
     .why =
         "A modal group has one code in force. The whole block runs under the last one of the group, also "
         "words"
         " that stand before it: G91 G28 Z0 G90 goes to Z0 at full height. Some controls stop with an alarm.",
     .severity = Severity::warning,
+    .severity_elsewhere = {{"dinplus", Severity::error}},
     .precision = Precision::high,
     .needs = {Capability::exclusive_words},
     .messages = {{"plain",
                   "Codes '{0}' and '{1}' are of one modal group ({2}): the whole block runs under '{1}', or "
                   "stops with {3}.",
+                  "Remove the one that is not meant, or write two blocks."},
+                 {"forbidden",
+                  "Codes '{0}' and '{1}' contradict each other ({2}): they may not stand in one block.",
                   "Remove the one that is not meant, or write two blocks."}},
     .bad = {{"fanuc", R"nc(
 O9514(FACE)
 G90 G0 X10. Y20.
 G0 G1 Z-2. F200.
 M30
+)nc"},
+            {"dinplus", R"nc(
+MACHINING
+N10 T1
+N11 G96 S180 G95 F0.25 M4
+N12 G0 X62 Z2
+N13 M3 M4
+N14 M30
+END
 )nc"}},
     .good = {{"fanuc", R"nc(
 O9514(FACE)
 G90 G0 X10. Y20.
 G1 Z-2. F200.
 M30
+)nc"},
+             {"dinplus", R"nc(
+MACHINING
+N10 T1
+N11 G96 S180 G95 F0.25 M4
+N12 G0 X62 Z2
+N13 M30
+END
 )nc"}},
     .alarms = {{"FANUC 16i/18i/21i", "5074", "ADDRESS DUPLICATION ERROR"}},
-    .sources = {"T: parameter 3403#6", "SEED-001:1340-1355"},
-    .check = WordCheck{.addresses = "G", .blocks = WordCheck::Blocks::conflicting, .check = &check},
+    .sources = {"T: parameter 3403#6", "SEED-001:1340-1355", "SEED-003:10226-10231"},
+    .check = WordCheck{.addresses = "G M", .blocks = WordCheck::Blocks::conflicting, .check = &check},
 };
 
 namespace {
 
-/// A code and the group that it is a member of.
+/// A code of which a block may hold one of its kind.
 struct Member {
     const Word* word;
     double code;
-    GroupId group;
+    queries::ExclusiveKind kind;
 };
 
 std::optional<Member> member(const ControlModel& control, const Word& word) {
     const auto* code = std::get_if<Literal>(&word.value);
-    if (code == nullptr || word.address != "G") return std::nullopt;
-    const auto group = control.group_of('G', code->value);
-    if (!group) return std::nullopt;
-    return Member{&word, code->value, *group};
+    if (code == nullptr || (word.address != "G" && word.address != "M")) return std::nullopt;
+    const auto kind = queries::exclusive_kind(control, word.address.front(), code->value);
+    return kind ? std::optional(Member{&word, code->value, *kind}) : std::nullopt;
+}
+
+void report(const queries::WordsOfBlock& block, const Member& before, const Member& found,
+            Reporter& reporter) {
+    const Program& program = block.analysis.program();
+    const bool forbidden = block.analysis.control().contradiction == Contradiction::forbidden;
+    Finding& finding = reporter.report(
+        {block.analysis, found.word->span}, found.word->span, forbidden ? "forbidden" : "plain",
+        {quoted(program, before.word->span), quoted(program, found.word->span), std::string(found.kind.name),
+         reporter.alarm_words(block.analysis.file())});
+    finding.related.push_back({block.analysis.source(), before.word->span, "the other one stands here"});
 }
 
 void check(const queries::WordsOfBlock& block, Reporter& reporter) {
     const ControlModel& control = block.analysis.control();
-    std::vector<Member> members; // one of each group
+    std::vector<Member> members; // one of each kind
     for (const Word& word : block.words) {
         const auto found = member(control, word);
         if (!found) continue;
-        const auto before = std::ranges::find(members, found->group, &Member::group);
+        const auto before = std::ranges::find_if(
+            members, [&](const Member& known) { return known.kind.row == found->kind.row; });
         if (before == members.end()) {
             members.push_back(*found);
             continue;
         }
         if (before->code == found->code) continue; // the same code once more changes nothing
-        if (queries::has_alternatives(block)) return;
-        const Program& program = block.analysis.program();
-        Finding& finding = reporter.report({block.analysis, word.span}, word.span, "plain",
-                                           {quoted(program, before->word->span), quoted(program, word.span),
-                                            std::string(control.groups[found->group].name),
-                                            reporter.alarm_words(block.analysis.file())});
-        finding.related.push_back({block.analysis.source(), before->word->span, "the other one stands here"});
+        if (!queries::has_alternatives(block)) report(block, *before, *found, reporter);
         return;
     }
 }

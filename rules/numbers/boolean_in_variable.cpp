@@ -20,15 +20,35 @@ extern const Rule boolean_in_variable{
 O9709(FLAG)
 #100=#101 EQ 5
 M30
+)nc"},
+            {"dinplus", R"nc(
+MACHINING
+N10 INPUT("Size",#l2)
+N11 #l1=#l2==5
+N12 G0 X#l1 Z2
+N13 M30
+END
 )nc"}},
     .good = {{"fanuc", R"nc(
 O9709(FLAG)
 #100=0
 IF[#101EQ5]THEN#100=1
 M30
+)nc"},
+             {"dinplus", R"nc(
+MACHINING
+N10 INPUT("Size",#l2)
+N11 #l1=0
+N12 IF #l2==5
+N13 THEN
+N14 #l1=1
+N15 ENDIF
+N16 G0 X#l1 Z2
+N17 M30
+END
 )nc"}},
     .alarms = {{"FANUC 16i/18i/21i", "114", "FORMAT ERROR IN MACRO"}},
-    .sources = {"SINHA-EXP", "HAAS-118"},
+    .sources = {"SINHA-EXP", "HAAS-118", "SEED-003:19643", "SEED-003:19774"},
     .check = SyntaxErrorKind::comparison_as_value,
 };
 

@@ -12,7 +12,9 @@ extern const Rule address_without_value{
     .severity = Severity::error,
     .precision = Precision::high,
     .yields_to = "MAC122 MAC401",
-    .messages = {{"plain", "Address without a value: '{0}', and the control stops here.",
+    .messages = {{"cure", "Address without a value: '{0}', and the control stops here.",
+                  "Give it {1}, or delete it."},
+                 {"plain", "Address without a value: '{0}', and the control stops here.",
                   "Give it a number, a variable or [ ], or delete it."},
                  {"elsewhere",
                   "Address without a value, unless the I after '{0}' makes it incremental: the assumed"
@@ -29,16 +31,29 @@ M30
 O9109(BACK TO A BLOCK)
 G0 X10.
 M99 P
+)nc"},
+            {"dinplus", R"nc(
+MACHINING
+N10 G0 X Z2
+N11 M30
+END
 )nc"}},
     .good = {{"fanuc", R"nc(
 O9109(FACE)
 G1 X5. Y10. F100
 G0 X#100 Y[#101+2.]
 M30
+)nc"},
+             {"dinplus", R"nc(
+MACHINING
+N10 #l1=60
+N11 G0 X(#l1+2) Z2
+N12 M30
+END
 )nc"}},
     .alarms = {{"FANUC 16i/18i/21i", "005", "NO DATA AFTER ADDRESS"},
                {"FANUC 30i/0i-D", "005", "NO DATA AFTER ADDRESS"}},
-    .sources = {"CSDN-PS", "GH-ALM"},
+    .sources = {"CSDN-PS", "GH-ALM", "SEED-003:10239-10246"},
     .check = SyntaxErrorKind::missing_value,
 };
 

@@ -11,6 +11,7 @@ void check(const ProgramFile& file, Reporter& reporter);
 extern const Rule letter_o_for_zero{
     .code = "MAC106",
     .name = "letter-o-for-zero",
+    .aliases = "DIN025",
     .summary = "The letter O is typed for the figure 0",
     .why = "O begins a program number: the control finds an address without its value, or a code that"
            " it does not have, and stops. On the screen the two look alike.",
@@ -35,16 +36,28 @@ O9106(JUMP)
 GO5
 G0 X10.
 N5 M30
+)nc"},
+            {"dinplus", R"nc(
+MACHINING
+N10 GO X60 Z2
+N11 M3O
+END
 )nc"}},
     .good = {{"fanuc", R"nc(
 O9106(FACE)
 G01 X10. F100
 G0 X0
 M30
+)nc"},
+             {"dinplus", R"nc(
+MACHINING
+N10 G0 X60 Z2
+N11 M30
+END
 )nc"}},
     .alarms = {{"FANUC 16i/18i/21i", "004", "ADDRESS NOT FOUND"},
                {"FANUC 16i/18i/21i", "010", "IMPROPER G-CODE"}},
-    .sources = {"CSDN-VAR", "CSDN-PS"},
+    .sources = {"CSDN-VAR", "CSDN-PS", "SEED-003:2227-2229"},
     .check = &check,
 };
 

@@ -5,6 +5,7 @@
 #include "rules/words/word_list.hpp"
 
 #include <algorithm>
+#include <iterator>
 #include <map>
 #include <string>
 #include <tuple>
@@ -15,12 +16,7 @@ namespace {
 std::vector<CodePage> make_pages() {
     std::vector<CodePage> pages;
     for (const CodeBook* book : all_code_books())
-        for (std::size_t i = 0; i < book->lines.size();) {
-            const BookLine& head = book->lines[i++];
-            const std::size_t first = i;
-            while (i < book->lines.size() && book->lines[i].kind != BookLine::Kind::code) ++i;
-            pages.push_back({book, &head, book->lines.subspan(first, i - first)});
-        }
+        std::ranges::copy(pages_of(*book), std::back_inserter(pages));
     return pages;
 }
 
@@ -40,6 +36,17 @@ const std::multimap<PageOfCode, const CodePage*>& index() {
 }
 
 } // namespace
+
+std::vector<CodePage> pages_of(const CodeBook& book) {
+    std::vector<CodePage> pages;
+    for (std::size_t i = 0; i < book.lines.size();) {
+        const BookLine& head = book.lines[i++];
+        const std::size_t first = i;
+        while (i < book.lines.size() && book.lines[i].kind != BookLine::Kind::code) ++i;
+        pages.push_back({&book, &head, book.lines.subspan(first, i - first)});
+    }
+    return pages;
+}
 
 std::span<const CodePage> all_code_pages() {
     static const std::vector<CodePage> pages = make_pages();

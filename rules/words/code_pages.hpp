@@ -21,6 +21,8 @@ struct CodePage {
     }
 };
 
+/// Of one chapter.
+[[nodiscard]] std::vector<CodePage> pages_of(const CodeBook& book);
 /// Of all chapters of all languages, in their order.
 [[nodiscard]] std::span<const CodePage> all_code_pages();
 /// Those of one code, "G83", written as users do ("g083"); empty: no chapter has it.

@@ -64,6 +64,12 @@ std::string values_allowed_by(const WordRow& row) {
     return std::isfinite(row.least) ? least + " and " + most : most;
 }
 
+bool takes(const WordRow& row, double value) {
+    if (!row.values.empty()) return has_word(row.values, number_word(value));
+    const bool enough = row.above_least ? value > row.least : value >= row.least;
+    return enough && (row.below_most ? value < row.most : value <= row.most);
+}
+
 std::string sections_in_words(std::string_view sections) {
     std::string names = all_of(sections);
     std::ranges::replace(names, '_', ' ');

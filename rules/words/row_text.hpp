@@ -13,6 +13,9 @@ namespace maclint {
 /// The values that the row allows: "0, 1 or 2", "at least 1", "more than 0 and at most 999".
 [[nodiscard]] std::string values_allowed_by(const WordRow& row);
 
+/// Whether the row takes the value; one that says nothing of values takes any.
+[[nodiscard]] bool takes(const WordRow& row, double value);
+
 /// The words beside which those of the row count: "ID", "Q of 1, 2 or 3 or A".
 [[nodiscard]] std::string partners_of(const WordRow& row);
 

@@ -42,17 +42,11 @@ END
 
 namespace {
 
-bool allows(const WordRow& row, double value) {
-    if (!row.values.empty()) return has_word(row.values, number_word(value));
-    const bool enough = row.above_least ? value > row.least : value >= row.least;
-    return enough && (row.below_most ? value < row.most : value <= row.most);
-}
-
 void check(const RowOfBlock& block, Reporter& reporter) {
     const WordRow& row = block.row();
     for (const Word* word : block.own(row.words)) {
         const auto* value = std::get_if<Literal>(&word->value);
-        if (value == nullptr || word->incremental || allows(row, value->value)) continue;
+        if (value == nullptr || word->incremental || takes(row, value->value)) continue;
         block.report(reporter, *word, "outside",
                      {block.text_of(*word), block.text_of(block.code), std::string(word->address),
                       values_allowed_by(row), std::string(row.effect)});

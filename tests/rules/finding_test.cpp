@@ -170,7 +170,9 @@ TEST(Needs, ARuleIsNotAskedWhereTheLanguageLacksWhatItSpeaksOf) {
     EXPECT_TRUE(asked("DIN102", "dinplus")); // no END
     EXPECT_FALSE(asked("DIN102", "fanuc"));
     EXPECT_TRUE(asked("MAC559", "fanuc-16i")); // an address twice
-    EXPECT_FALSE(asked("MAC559", "dinplus"));
+    EXPECT_TRUE(asked("MAC559", "dinplus"));
+    EXPECT_TRUE(asked("MAC413", "fanuc-16i")); // modal calls
+    EXPECT_FALSE(asked("MAC413", "dinplus"));
     EXPECT_TRUE(asked("MAC301", "fanuc")); // jumps
     EXPECT_FALSE(asked("MAC301", "dinplus"));
     EXPECT_TRUE(asked("MAC402", "dinplus")); // a program that is not there, in any language
@@ -182,7 +184,7 @@ TEST(Needs, OfARuleAreAskedBeforeItRuns) {
         return run_rules(*workspace, {{find_rule(code)}}, 1).size();
     };
     EXPECT_EQ(found("WHILE #l1<5\n", "MAC312"), 0U); // DIN PLUS has its own rule
-    EXPECT_EQ(found("G1 X1 X2\n", "MAC559"), 0U);    // nobody knows whether it may
+    EXPECT_EQ(found("G66 P5\n", "MAC413"), 0U);      // nothing calls so
 }
 
 TEST(Cause, IsTheSameEffectOrAnExpressionInIt) {

@@ -229,6 +229,11 @@ TEST(RowsOfBlocks, TakeNoWordThatBelongsToAnotherCode) {
         << "G90 takes no words, G10 may";
 }
 
+TEST(WordsNotListed, MayBelongToAMoveThatGoesOnBesideAnMFunction) {
+    EXPECT_THAT(raised_in("dinplus", "MACHINING\nN1 G1 X50 Z-5\nN2 X60 BR2 M8\nN3 M9 Q2\nEND\n"),
+                ElementsAre("MAC581/M9 4"));
+}
+
 TEST(RowsOfBlocks, AreSilentWhereTheBlockCallsOrAWordMayBeSkipped) {
     EXPECT_THAT(raised_in("fanuc", "O1\nG65 P9001 G4 X1. P5\nM30\n"), IsEmpty());
     EXPECT_THAT(raised_in("fanuc", "O1\nG#1 G4 X1. P5\nM30\n"), IsEmpty());

@@ -33,8 +33,8 @@ void BlockLowering::lower(const syntax::Tree& tree, Span block, OpenProgram& pro
         if (kind_of(child) == Kind::block) node = &child;
     });
     Block lowered{};
+    check_tokens();
     if (node != nullptr) {
-        check_tokens();
         items_.clear();
         for_each_child(*node, [this](const Node& child) { items_.push_back(&child); });
         const std::span<const Node* const> items = take_head(lowered, items_);

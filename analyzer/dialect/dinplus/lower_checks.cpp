@@ -8,6 +8,11 @@
 namespace maclint::dinplus {
 namespace {
 
+/// Comparisons of other languages, and what they are here.
+constexpr std::pair<std::string_view, std::string_view> foreign_signs[] = {
+    {"EQ", "=="}, {"NE", "<>"}, {"GT", ">"},  {"GE", ">="}, {"LT", "<"},
+    {"LE", "<="}, {"=<", "<="}, {"=>", ">="}, {"!=", "<>"}, {"><", "<>"}};
+
 /// Nodes that do nothing, and are reported or passed over elsewhere.
 bool is_aside(Kind kind) {
     return is_head(kind) || kind == Kind::stray_parenthesis || kind == Kind::stray_bracket ||
@@ -56,70 +61,77 @@ void BlockLowering::check_then(std::span<const Node* const> items) {
     }
 }
 
-/// What is wrong with single nodes of a block that the parser could read.
+/// What is wrong with single nodes of a block that the parser could read. Parents stand before their
+/// children.
 void BlockLowering::check_tokens() {
-    static constexpr std::pair<std::string_view, std::string_view> signs[] = {
-        {"EQ", "=="}, {"NE", "<>"}, {"GT", ">"},  {"GE", ">="}, {"LT", "<"},
-        {"LE", "<="}, {"=<", "<="}, {"=>", ">="}, {"!=", "<>"}, {"><", "<>"}};
     check_depth();
-    std::vector<const Node*> parents(tree_->nodes.size(), nullptr);
+    parents_.assign(tree_->nodes.size(), nullptr);
     for (const Node& node : tree_->nodes) {
         for (syntax::NodeIndex c = node.first_child; c != syntax::no_node; c = tree_->nodes[c].next_sibling)
-            parents[c] = &node;
-        const Node* parent = parents[static_cast<std::size_t>(&node - tree_->nodes.data())];
-        switch (kind_of(node)) {
-        case Kind::assignment_sign:
-        case Kind::equality_sign: {
-            const bool comparison = kind_of(node) == Kind::assignment_sign;
-            const Span whole = span(*parent);
-            const Span sign = span(node);
-            report(comparison ? SyntaxErrorKind::assignment_in_condition
-                              : SyntaxErrorKind::comparison_as_assignment,
-                   sign,
-                   std::string(program_->slice({whole.begin, sign.begin})) + (comparison ? "==" : "=") +
-                       std::string(program_->slice({sign.end, whole.end})));
-            break;
-        }
-        case Kind::foreign_operator: {
-            const auto* sign = std::ranges::find(signs, upper_text(node),
-                                                 &std::pair<std::string_view, std::string_view>::first);
-            report(SyntaxErrorKind::unknown_keyword, span(node),
-                   sign == std::end(signs) ? "" : std::string(sign->second));
-            break;
-        }
-        case Kind::unknown_function:
-            report(SyntaxErrorKind::unknown_keyword, span(node), meant_by(capitals_of(text(node))));
-            break;
-        case Kind::stray_parenthesis:
-            report(SyntaxErrorKind::bracket_mismatch, span(node), "a '(' is missing before it");
-            break;
-        case Kind::stray_bracket:
-            report(SyntaxErrorKind::bracket_mismatch, span(node), "no '[' opens a comment before it");
-            break;
-        case Kind::unclosed_string:
-            report(SyntaxErrorKind::unreadable, span(node), "a '\"' at the end of the text");
-            break;
-        case Kind::typographic_string:
-            report(SyntaxErrorKind::unreadable, span(node), "straight quotation marks '\"'");
-            break;
-        case Kind::malformed_word: // two signs in a row may be meant for a calculation
-            if (const std::string_view word = text(node); word.find(',') != std::string_view::npos)
-                report(SyntaxErrorKind::unreadable, span(node), "a decimal point in the number");
-            else if (word.find_first_of("0123456789") == std::string_view::npos) // G..., of manuals
-                report(SyntaxErrorKind::unreadable, span(node), "a number");
-            else if (word.find('.') != word.rfind('.'))
-                report(SyntaxErrorKind::unreadable, span(node), "one decimal point in the number");
-            break;
-        case Kind::computed_block_number:
-            report(SyntaxErrorKind::unreadable, span(node), "the digits of a block number");
-            break;
-        case Kind::double_sharp: report(SyntaxErrorKind::unreadable, span(node), "a single '#'"); break;
-        case Kind::foreign_variable:
-            report(SyntaxErrorKind::unreadable, span(node), "a letter after '#', as in #l1");
-            break;
-        default: break;
-        }
+            parents_[c] = &node;
+        check_token(node);
+        check_form(node);
     }
+}
+
+void BlockLowering::check_token(const Node& node) {
+    switch (kind_of(node)) {
+    case Kind::assignment_sign:
+    case Kind::equality_sign: check_sign(node); break;
+    case Kind::foreign_operator: {
+        const auto* sign = std::ranges::find(foreign_signs, upper_text(node),
+                                             &std::pair<std::string_view, std::string_view>::first);
+        report(SyntaxErrorKind::unknown_keyword, span(node),
+               sign == std::end(foreign_signs) ? "" : std::string(sign->second));
+        break;
+    }
+    case Kind::unknown_function:
+        report(SyntaxErrorKind::unknown_keyword, span(node), meant_by(capitals_of(text(node))));
+        break;
+    case Kind::stray_parenthesis:
+        report(SyntaxErrorKind::bracket_mismatch, span(node), "a '(' is missing before it");
+        break;
+    case Kind::stray_bracket:
+        report(SyntaxErrorKind::bracket_mismatch, span(node), "no '[' opens a comment before it");
+        break;
+    case Kind::unclosed_string:
+        report(SyntaxErrorKind::unreadable, span(node), "a '\"' at the end of the text");
+        break;
+    case Kind::typographic_string:
+        report(SyntaxErrorKind::unreadable, span(node), "straight quotation marks '\"'");
+        break;
+    case Kind::malformed_word: check_number(node); break;
+    case Kind::computed_block_number:
+        report(SyntaxErrorKind::unreadable, span(node), "the digits of a block number");
+        break;
+    case Kind::double_sharp: report(SyntaxErrorKind::unreadable, span(node), "a single '#'"); break;
+    case Kind::foreign_variable:
+        report(SyntaxErrorKind::unreadable, span(node), "a letter after '#', as in #l1");
+        break;
+    default: break;
+    }
+}
+
+/// `=` in a comparison, `==` in an assignment.
+void BlockLowering::check_sign(const Node& node) {
+    const bool comparison = kind_of(node) == Kind::assignment_sign;
+    const Span whole = span(*parent_of(node));
+    const Span sign = span(node);
+    report(comparison ? SyntaxErrorKind::assignment_in_condition : SyntaxErrorKind::comparison_as_assignment,
+           sign,
+           std::string(program_->slice({whole.begin, sign.begin})) + (comparison ? "==" : "=") +
+               std::string(program_->slice({sign.end, whole.end})));
+}
+
+/// Two signs in a row are passed over: they may be meant for a calculation.
+void BlockLowering::check_number(const Node& word) {
+    const std::string_view written = text(word);
+    if (written.find(',') != std::string_view::npos)
+        report(SyntaxErrorKind::unreadable, span(word), "a decimal point in the number");
+    else if (written.find_first_of("0123456789") == std::string_view::npos) // G..., of manuals
+        report(SyntaxErrorKind::unreadable, span(word), "a number");
+    else if (written.find('.') != written.rfind('.'))
+        report(SyntaxErrorKind::unreadable, span(word), "one decimal point in the number");
 }
 
 /// Reports the first bracket of the block that opens one level too many. Parents stand before their children.

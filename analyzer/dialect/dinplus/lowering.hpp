@@ -52,7 +52,15 @@ class BlockLowering : private TreeLowering {
     void check_alone(std::span<const Node* const> items);
     void check_then(std::span<const Node* const> items);
     void check_tokens();
+    void check_token(const Node& node);
+    void check_sign(const Node& node);
+    void check_number(const Node& word);
     void check_depth();
+
+    // ---- forms that are none of the language (lower_forms.cpp)
+    void check_form(const Node& node);
+    void check_comparison(const Node& node);
+    void check_capitals(const Node& node);
 
     // ---- words (lower_words.cpp)
     /// A word on its way to its effects.
@@ -98,9 +106,11 @@ class BlockLowering : private TreeLowering {
 
     // ---- the tree
     [[nodiscard]] const Node* child(const Node& node, Field field) const;
+    [[nodiscard]] const Node* parent_of(const Node& node) const;
     [[nodiscard]] Span characters(const Node& text) const;
 
     OpenProgram* open_ = nullptr;
+    Nodes parents_;             ///< of each node of the block
     Nodes items_;               ///< of the block
     std::vector<NcWord> words_; ///< that stand side by side
     std::vector<ExpressionId> computed_;

@@ -47,6 +47,17 @@ void set_bytes(PlainTables& tables, std::string_view bytes, PlainStart start) {
     for (const char c : bytes) tables.bytes[static_cast<unsigned char>(c)].start = start;
 }
 
+/// The bit of the codes that contradict this one; 0: none does.
+std::uint32_t exclusive_bit(char letter, std::size_t code) {
+    const std::vector<ExclusiveCodes>& rows = control().exclusive_codes;
+    assert(rows.size() <= 32 && "a bit for each row");
+    for (std::size_t i = 0; i < rows.size(); ++i)
+        if (rows[i].letter == letter &&
+            std::ranges::find(rows[i].codes, static_cast<double>(code)) != rows[i].codes.end())
+            return std::uint32_t{1} << i;
+    return 0;
+}
+
 /// Every address begins a word whose number means nothing.
 PlainTables descriptions() {
     PlainTables tables{};
@@ -70,11 +81,13 @@ PlainTables descriptions() {
     for (const char c : std::string_view("GMT")) tables.may_repeat.add(static_cast<AddressId>(c - 'A'));
     // Codes of descriptions set nothing, but rules ask where they stand.
     for (const std::uint8_t which : {std::uint8_t{0}, std::uint8_t{1}}) {
-        auto& row = row_of(tables, which == 0 ? "G" : "M");
+        const char letter = which == 0 ? 'G' : 'M';
+        auto& row = row_of(tables, std::string_view(&letter, 1));
         row.start = PlainStart::code;
         row.which = which;
         for (std::size_t code = 0; code < codes; ++code)
-            tables.codes[which].rows.push_back({.kind = syntax::CodeSet::kind_of(which, code)});
+            tables.codes[which].rows.push_back(
+                {.kind = syntax::CodeSet::kind_of(which, code), .exclusive = exclusive_bit(letter, code)});
     }
     tables.comment_end = ']';
     tables.incremental = 'i';
@@ -101,7 +114,7 @@ PlainCode plain_code(char letter, std::size_t code) {
     // Rules ask for the state in front of the words that set the other groups, and mark these words.
     if (group && control().groups[*group].role != ModalRole::motion) plain |= scanned::not_plain;
     return {group.value_or(syntax::no_group), static_cast<std::uint8_t>(plain),
-            syntax::CodeSet::kind_of(letter == 'G' ? 0 : 1, code)};
+            syntax::CodeSet::kind_of(letter == 'G' ? 0 : 1, code), exclusive_bit(letter, code)};
 }
 
 PlainTables commands() {

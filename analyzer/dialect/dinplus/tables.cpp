@@ -74,6 +74,9 @@ ControlModel make() {
     control.vacant_equals_zero = true;  // l.19721: an undefined variable may read as 0
     control.loops_left_by_jump = false; // the language has no jump [dinplus.md 4.1]; l.19801
     control.sections = section_kinds();
+    control.repeatable = {"G", "M"};                  // l.10166, l.21017
+    control.contradiction = Contradiction::forbidden; // l.10226
+    control.exclusive_codes = exclusive_codes();
     control.references = {{"contour block", SectionKind::Role::contour, "l.10203, l.13166"}};
     return checked(std::move(control));
 }

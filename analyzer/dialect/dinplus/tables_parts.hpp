@@ -11,5 +11,6 @@ namespace maclint::dinplus {
 [[nodiscard]] std::vector<VariableSpace> variable_spaces();
 [[nodiscard]] std::vector<VariableFamily> variable_families();
 [[nodiscard]] std::vector<ModalGroup> modal_groups();
+[[nodiscard]] std::vector<ExclusiveCodes> exclusive_codes();
 
 } // namespace maclint::dinplus

@@ -1,0 +1,44 @@
+//! Finds a section in the chapters on sections.
+#include "rules/words/section_pages.hpp"
+
+#include "rules/words/code_pages.hpp"
+#include "rules/words/word_list.hpp"
+
+#include <algorithm>
+#include <array>
+
+namespace maclint {
+namespace code_books {
+extern const CodeBook dinplus_sections;
+}
+
+std::span<const CodeBook* const> all_section_books() {
+    static constexpr std::array list = {&code_books::dinplus_sections};
+    return list;
+}
+
+namespace {
+
+/// Whether the section has no blocks but such as describe it.
+bool is_information(std::string_view name) { return name == "CHUCKING_EQUIPMENT" || name == "TURRET"; }
+
+} // namespace
+
+const BookLine* SectionPage::find(std::string_view address) const {
+    const auto found = std::ranges::find(lines, address, [](const BookLine& line) { return line.row.words; });
+    return found == lines.end() ? nullptr : &*found;
+}
+
+std::optional<SectionPage> page_of_section(std::string_view language, std::string_view kind) {
+    std::string name(kind);
+    std::ranges::replace(name, ' ', '_');
+    for (const CodeBook* book : all_section_books()) {
+        if (book->language != language) continue;
+        for (const CodePage& page : pages_of(*book))
+            if (has_word(page.head->row.code, name))
+                return SectionPage{std::string(kind), page.lines, is_information(name)};
+    }
+    return std::nullopt;
+}
+
+} // namespace maclint

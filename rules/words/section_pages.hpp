@@ -1,0 +1,28 @@
+//! What the manual says of the words of a section's description.
+#pragma once
+
+#include "rules/words/code_book.hpp"
+
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+
+namespace maclint {
+
+struct SectionPage {
+    std::string name; ///< "FACE_Y"
+    std::span<const BookLine> lines;
+    bool describes_by_blocks; ///< its words stand in blocks below its name, too
+
+    /// nullptr: the section does not take the word.
+    [[nodiscard]] const BookLine* find(std::string_view address) const;
+};
+
+/// `kind`: a name of ControlModel::sections. Nothing: the manual says nothing of its words.
+[[nodiscard]] std::optional<SectionPage> page_of_section(std::string_view language, std::string_view kind);
+
+/// The chapter on sections of each language that has one.
+[[nodiscard]] std::span<const CodeBook* const> all_section_books();
+
+} // namespace maclint
