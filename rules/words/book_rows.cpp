@@ -90,7 +90,7 @@ class Writer {
         WordRow row = line.row;
         row.says = says;
         row.code = page.head->row.code;
-        if (row.sections.empty()) row.sections = page.sections();
+        row.sections = page.sections();
         if (row.effect.empty()) row.effect = usual_effect(says);
         if (row.means.empty()) row.means = meaning_on(page, row.words);
         row.source = kept(std::string(page.book->source) + ":" + std::to_string(line.line));
@@ -120,7 +120,6 @@ class Writer {
             return; // that row says so, too
         WordRow only = on_page(page, *page.head, RowStatement::takes_only);
         only.unless_later = {}; // that is said of other sections
-        only.aliases = {};
         only.words = kept(std::move(words));
         rows.push_back(only);
     }

@@ -56,10 +56,6 @@ struct BookLine {
     [[nodiscard]] constexpr BookLine when(std::string_view conditions) const {
         return with([&](BookLine& copy) { copy.row.when = conditions; });
     }
-    /// Of a statement: in these sections of its page alone.
-    [[nodiscard]] constexpr BookLine in(std::string_view sections) const {
-        return with([&](BookLine& copy) { copy.row.sections = sections; });
-    }
     /// Codes of the block after: WordRow::unless_next.
     [[nodiscard]] constexpr BookLine unless_next(std::string_view codes) const {
         return with([&](BookLine& copy) { copy.row.unless_next = codes; });
