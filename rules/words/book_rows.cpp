@@ -120,6 +120,7 @@ class Writer {
             return; // that row says so, too
         WordRow only = on_page(page, *page.head, RowStatement::takes_only);
         only.unless_later = {}; // that is said of other sections
+        only.aliases = {};      // and those are codes of rules on its place
         only.words = kept(std::move(words));
         rows.push_back(only);
     }

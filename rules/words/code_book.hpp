@@ -239,6 +239,10 @@ constexpr BookLine apart(std::string_view codes, std::uint32_t line, std::string
 constexpr BookLine precedes(std::string_view codes, std::uint32_t line, std::string_view effect) {
     return statement(RowStatement::precedes, {}, codes, line, {}, effect);
 }
+/// The next block with a code of the same letter holds another one than these.
+constexpr BookLine not_before(std::string_view codes, std::uint32_t line, std::string_view effect) {
+    return statement(RowStatement::precedes, codes, {}, line, {}, effect);
+}
 
 } // namespace book
 } // namespace maclint

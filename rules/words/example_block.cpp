@@ -92,7 +92,7 @@ std::string ExampleBlock::text_that_keeps(const WordRow& row) const { return wri
 const WordRow* ExampleBlock::order(const WordRow* broken) const {
     const Words all = words(broken, broken == nullptr);
     const auto found = std::ranges::find_if(rows_, [&](const WordRow* row) {
-        return row->says == RowStatement::precedes && holds(all, row->when);
+        return row->says == RowStatement::precedes && !row->others.empty() && holds(all, row->when);
     });
     return found == rows_.end() ? nullptr : *found;
 }

@@ -76,6 +76,8 @@ class ProgramWriter {
         const bool is_order = row_.says == RowStatement::precedes;
         const WordRow* order = is_order ? &row_ : block_.order(&row_);
         if (order == nullptr) return {};
+        if (is_order && row_.others.empty())
+            return (kept ? other_code_than(row_.words) : block_with(first_of(row_.words)).text()) + "\n";
         if (kept || !is_order) return block_with(first_of(order->others)).text() + "\n";
         return other_code_than(order->others) + "\n";
     }

@@ -33,7 +33,10 @@ std::string rule_in_words(const RowForCode& of_code) {
     case RowStatement::alone:
         return code + " stands alone in its block" +
                (row.words.empty() ? ": " : ", beside " + either_of(row.words) + " at most: ");
-    case RowStatement::precedes: return "The block after " + code + " holds " + either_of(row.others) + ": ";
+    case RowStatement::precedes:
+        return "The block after " + code + " holds " +
+               (row.others.empty() ? "another code than " + either_of(row.words) : either_of(row.others)) +
+               ": ";
     case RowStatement::refused:
         return code + " has no place " +
                (row.sections.empty() ? "here" : "in " + sections_in_words(row.sections)) + ": ";

@@ -25,7 +25,7 @@ struct WordRow {
     RowStatement says; ///< what is said of `words`; each kind is a rule of its own
     /// "G83", or several that say the same: each has a key of its own.
     std::string_view code;
-    std::string_view words = {}; ///< addresses: "Q", "X Y Z"
+    std::string_view words = {}; ///< addresses: "Q", "X Y Z"; of what precedes, codes that must not follow
     /// Addresses, beside which "O=1|2" is one with such a value; of what precedes or stands apart, codes.
     std::string_view others = {};
 
