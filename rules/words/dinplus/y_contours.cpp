@@ -147,7 +147,7 @@ constexpr BookLine lines[] = {
         word("B", 22640, "width").needed("the surface has no width"),
         word("I", 22643, "limiting diameter").without("X of the section line"),
         word("C", 22646, "spindle angle of the surface").without("C of the section line"),
-    code("G377", 22653, "polygon in the XY plane").also_before("G80"),
+    code("G377", 22655, "polygon in the XY plane").also_before("G80"),
         word("X", 22659, "centre in X").without("previous value"),
         word("Y", 22660, "centre in Y").without("previous value"),
         word("Q", 22661, "number of edges", ">=3").needed("the polygon has no number of edges"),
