@@ -183,7 +183,7 @@ constexpr BookLine lines[] = {
         word("BP", 10587, "oversize for this element"),
         word("BH", 10588, "kind of oversize: 0 absolute, 1 added", "0 1"),
     code("G25", 10909, "undercut").also_before("G80"),
-        word("H", 10917, "kind of undercut", "0 4 5 6 7 8 9").without("0"),
+        word("H", 10917, "form: 0 and 5 E, 4 U, 6 F, 7 DIN 76, 8 H, 9 K", "0 4 5 6 7 8 9").without("0"),
         word("I", 10918, "undercut depth"),
         word("K", 10919, "undercut width"),
         word("R", 10920, "radius in the corners"),
