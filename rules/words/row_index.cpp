@@ -37,6 +37,22 @@ bool stands_in(std::string_view sections, std::string_view section) {
     return sections.empty() || has_word(sections, name);
 }
 
+/// In either case.
+void add_letter(std::string& letters, char letter) {
+    letters += {letter, static_cast<char>(letter - 'A' + 'a')};
+}
+
+/// By which scanning knows the code.
+syntax::CodeSet::Kind kind_of(const syntax::PlainTables* tables, const RowForCode& row) {
+    const std::size_t which = row.letter == 'G' ? 0 : 1;
+    if (tables == nullptr) return syntax::CodeSet::kind_of(which, static_cast<std::uint64_t>(row.code));
+    const syntax::PlainCodes& codes = tables->codes[which];
+    const double steps = std::pow(10.0, codes.decimals);
+    const auto place = static_cast<std::size_t>(std::llround(row.code * steps));
+    return place < codes.rows.size() ? codes.rows[place].kind
+                                     : syntax::CodeSet::kind_of(which, static_cast<std::uint64_t>(row.code));
+}
+
 bool holds(const RowForCode& code, const ControlModel& control, std::string_view section) {
     const WordTable& table = *code.table;
     const WordRow& row = *code.row;
@@ -114,11 +130,9 @@ RowIndex::RowIndex(const ControlModel& control, std::string_view section, const 
                 entry.maybe_others = maybe(*tables, row.row->others);
             }
             entries_.push_back(entry);
-            const auto kind =
-                syntax::CodeSet::kind_of(row.letter == 'G' ? 0 : 1, static_cast<std::uint64_t>(row.code));
+            const auto kind = kind_of(tables, row);
             codes_.add(kind);
-            if (letters_.find(row.letter) == std::string::npos)
-                letters_ += {row.letter, static_cast<char>(row.letter - 'A' + 'a')};
+            if (letters_.find(row.letter) == std::string::npos) add_letter(letters_, row.letter);
             by_kind_[kind].push_back(entry);
         }
     }
@@ -134,16 +148,17 @@ RowIndex::RowIndex(const ControlModel& control, std::string_view section, const 
     }
 }
 
-bool RowIndex::wants_run(const Program& program, const PlainRun& run) const {
-    if (!run.words.codes.meets(codes_)) return false;
-    if (run.beside_codes.count == 0) return true;
-    return std::ranges::any_of(
-        std::span(program.code_words).subspan(run.beside_codes.first, run.beside_codes.count),
-        [&](const CodeWords& beside) {
-            return std::ranges::any_of(by_kind_[beside.kind], [&](const Entry& entry) {
-                return can_be_wrong(entry, beside.any, beside.all);
-            });
-        });
+std::string RowIndex::letters_wanted(const Program& program, const PlainRun& run) const {
+    if (!run.words.codes.meets(codes_)) return {};
+    if (run.beside_codes.count == 0) return letters_;
+    std::string letters;
+    for (const CodeWords& beside :
+         std::span(program.code_words).subspan(run.beside_codes.first, run.beside_codes.count))
+        for (const Entry& entry : by_kind_[beside.kind])
+            if (letters.find(entry.row->letter) == std::string::npos &&
+                can_be_wrong(entry, beside.any, beside.all))
+                add_letter(letters, entry.row->letter);
+    return letters;
 }
 
 bool RowIndex::wants_block(const WordSummary& block) const {

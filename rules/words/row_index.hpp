@@ -35,11 +35,10 @@ class RowIndex {
              std::span<const RuleRow* const> rows);
 
     [[nodiscard]] bool empty() const { return entries_.empty(); }
-    /// Whether a row can be wrong in one of the run's blocks, or in a block of which this is known.
-    [[nodiscard]] bool wants_run(const Program& program, const PlainRun& run) const;
+    /// Letters, in either case, of the codes whose rows can be wrong in one of the run's blocks: "Gg".
+    [[nodiscard]] std::string letters_wanted(const Program& program, const PlainRun& run) const;
+    /// Whether a row can be wrong in a block of which this is known.
     [[nodiscard]] bool wants_block(const WordSummary& block) const;
-    /// That begin the codes of its rows: "GM".
-    [[nodiscard]] std::string_view letters() const { return letters_; }
     /// The rows of the code that the word is; none where it is none.
     [[nodiscard]] std::span<const Entry> rows_at(const Word& word) const;
     /// Whether a chapter has the code that the word is, and its words in this section; nullptr: none does.

@@ -8,9 +8,10 @@
 #include "rules/rule.hpp"
 #include "rules/words/code_pages.hpp"
 
-#include <charconv>
+#include <algorithm>
+#include <bitset>
+#include <cstddef>
 #include <string_view>
-#include <system_error>
 #include <variant>
 
 namespace maclint::rules {
@@ -51,16 +52,36 @@ END
 
 namespace {
 
-/// Whether a number behind a G in the line is no code's; words of comments count, too.
-bool may_hold_unknown(std::string_view language, std::string_view line) {
-    for (std::size_t at = line.find_first_of("Gg"); at != std::string_view::npos;
-         at = line.find_first_of("Gg", at + 1)) {
-        double code = 0;
-        const auto [end, error] = std::from_chars(line.data() + at + 1, line.data() + line.size(), code);
-        if (error == std::errc() && !has_code_page(language, 'G', code)) return true;
+/// The whole G codes below a thousand that chapters have.
+class KnownCodes {
+  public:
+    explicit KnownCodes(std::string_view language) {
+        for (std::size_t code = 0; code < known_.size(); ++code)
+            known_[code] = has_code_page(language, 'G', static_cast<double>(code));
     }
-    return false;
-}
+
+    /// Whether a number behind a G in the text may be no code's; words of comments count, too.
+    [[nodiscard]] bool may_lack_one_of(std::string_view line) const {
+        for (std::size_t i = line.find_first_of("Gg"); i < line.size(); i = line.find_first_of("Gg", i + 1)) {
+            const std::size_t digits = std::min(line.find_first_not_of(' ', i + 1), line.size());
+            if (digits < line.size() && is_digit(line[digits]) && !knows(line.substr(digits))) return true;
+        }
+        return false;
+    }
+
+  private:
+    static bool is_digit(char c) { return c >= '0' && c <= '9'; }
+    [[nodiscard]] bool knows(std::string_view digits) const {
+        std::size_t code = 0;
+        std::size_t read = 0;
+        for (; read < digits.size() && is_digit(digits[read]) && code < known_.size(); ++read)
+            code = code * 10 + static_cast<std::size_t>(digits[read] - '0');
+        const bool is_whole = read == digits.size() || digits[read] != '.';
+        return is_whole && code < known_.size() && known_[code];
+    }
+
+    std::bitset<1000> known_;
+};
 
 void look_at(const ProgramAnalysis& analysis, std::span<const Word> words, Reporter& reporter) {
     for (const Word& word : words) {
@@ -75,12 +96,13 @@ void check(const ProgramAnalysis& analysis, Reporter& reporter) {
     const Program& program = analysis.program();
     const std::string_view language = analysis.control().language;
     if (!has_all_codes(language)) return;
+    const KnownCodes known(language);
     const Slice all{0, static_cast<Id>(program.items.size())};
     for_each_block_with_words(
         program, all,
         [&](const PlainRun& run, const auto& take) {
             for_each_line_with("Gg", program.text, run.span, [&](Span line) {
-                if (may_hold_unknown(language, program.text.substr(line.begin, line.length()))) take(line);
+                if (known.may_lack_one_of(program.text.substr(line.begin, line.length()))) take(line);
             });
         },
         [](const WordSummary&) { return true; },

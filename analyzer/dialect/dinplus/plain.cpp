@@ -31,12 +31,24 @@ constexpr std::string_view common_pairs[] = {"XK", "YK", "ZK", "NS", "NE", "NF",
                                              "XR", "ZR", "FK", "DX", "DZ", "HC", "HF", "PC", "WE"};
 /// Codes have up to three digits.
 constexpr std::size_t codes = 1000;
+/// The moves of a contour have a kind each, so that nobody reads them again who asks for another code.
+constexpr std::size_t moves_of_contours[] = {0, 1, 2, 3, 12, 13, 100, 101, 102, 103, 110, 111, 112, 113};
 constexpr AddressId first_pair = 26;
 constexpr AddressId other_pair = 63;
 static_assert(first_pair + std::size(common_pairs) <= other_pair);
 
 /// NS and NE beside a code that takes them for blocks of a contour.
 constexpr std::uint8_t block_name = syntax::plain_traits::first_own;
+
+syntax::CodeSet::Kind kind_of_code(std::size_t which, std::size_t code) {
+    constexpr std::size_t of_g = 96;
+    const auto* const move = std::ranges::find(moves_of_contours, code);
+    if (which != 0) return syntax::CodeSet::kind_of(which, code);
+    if (move != std::end(moves_of_contours))
+        return static_cast<syntax::CodeSet::Kind>(move - std::begin(moves_of_contours));
+    return static_cast<syntax::CodeSet::Kind>(std::size(moves_of_contours) +
+                                              code % (of_g - std::size(moves_of_contours)));
+}
 
 PlainTables::Row& row_of(PlainTables& tables, std::string_view address) {
     if (address.size() == 1) return tables.bytes[static_cast<unsigned char>(address.front())];
@@ -87,7 +99,7 @@ PlainTables descriptions() {
         row.which = which;
         for (std::size_t code = 0; code < codes; ++code)
             tables.codes[which].rows.push_back(
-                {.kind = syntax::CodeSet::kind_of(which, code), .exclusive = exclusive_bit(letter, code)});
+                {.kind = kind_of_code(which, code), .exclusive = exclusive_bit(letter, code)});
     }
     tables.comment_end = ']';
     tables.incremental = 'i';
@@ -114,7 +126,7 @@ PlainCode plain_code(char letter, std::size_t code) {
     // Rules ask for the state in front of the words that set the other groups, and mark these words.
     if (group && control().groups[*group].role != ModalRole::motion) plain |= scanned::not_plain;
     return {group.value_or(syntax::no_group), static_cast<std::uint8_t>(plain),
-            syntax::CodeSet::kind_of(letter == 'G' ? 0 : 1, code), exclusive_bit(letter, code)};
+            kind_of_code(letter == 'G' ? 0 : 1, code), exclusive_bit(letter, code)};
 }
 
 PlainTables commands() {
