@@ -80,7 +80,7 @@ constexpr BookLine lines[] = {
         excludes("ID NS", "XS ZS", 15790, "the contour gives the start point").as(error).also("DIN801"),
         excludes("XS XE", "ZE", 15778, "a hole is radial or axial").when("-ID -NS -ZS").also("DIN802"),
         excludes("XE", "ZS", 15778, "a hole is radial or axial").when("-ID -NS -XS").also("DIN802"),
-        needs("ID NS XE ZE K", 15778, "", "the hole has no end"),
+        needs("XE ZE K ID NS", 15778, "", "the hole has no end"),
         needs("F", 15761, "pitch of the thread", "the thread has no pitch").when("-ID -NS").also("DIN808"),
     code("G74", 15808, "deep drilling"),
         word("ID", 15814, "name of the hole"),

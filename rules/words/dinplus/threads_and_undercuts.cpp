@@ -10,7 +10,7 @@ using enum Severity;
 
 constexpr std::string_view no_pitch = "the thread has no pitch";
 constexpr std::string_view no_taper = "nothing gives the taper";
-constexpr std::string_view other_cuts = "other kinds of infeed find their number of cuts themselves";
+constexpr std::string_view other_cuts = "this kind of infeed finds the number of cuts itself";
 
 // clang-format off
 constexpr BookLine lines[] = {
@@ -37,10 +37,8 @@ constexpr BookLine lines[] = {
         word("Q", 14696, "number of air cuts"),
         word("E", 14697, "change of the pitch").without("0"),
         needs("ID NS", 14639, "", "the cycle has no thread to cut").unless_next(contour_begins).as(error).also("DIN701"),
-        needs("F", 14690, "pitch of the thread", no_pitch).when("-ID -NS").also("DIN720"),
-        needs("U", 14691, "depth of the thread", "the thread has no depth").when("-ID -NS").also("DIN720"),
         excludes("I", "IC", 6824, "the number of cuts gives their depth"),
-        only_with("IC", "V?0|1", 14659, other_cuts).also("DIN718"),
+        takes_not("IC", 14659, other_cuts).when("V=2|3|4|5|6").also("DIN718"),
         only_with("R", "V=4", 14685, "other kinds of infeed leave no such cuts"),
     code("G32", 14808, "simple thread cycle"),
         word("X", 14822, "end point in X").in_examples(),
@@ -65,9 +63,9 @@ constexpr BookLine lines[] = {
         word("D", 14870, "number of starts"),
         word("J", 14871, "direction: 0 longitudinal, 1 face", "0 1"),
         excludes("I", "IC", 6728, "the number of cuts gives their depth"),
-        only_with("IC", "V?0|1", 14835, other_cuts).also("DIN718"),
+        takes_not("IC", 14835, other_cuts).when("V=2|3|4|5|6").also("DIN718"),
         takes_not("WE", 14851, "it tells how to lift off without a run-out").when("K!0"),
-        takes_not("E", 14868, "it has no effect at present").when("E!0").as(note).also("DIN726"),
+        value("E", "0", 14868, "a change of the pitch has no effect at present").as(note).also("DIN726"),
     code("G33", 14904, "thread single path"),
         word("X", 14912, "end point in X"),
         word("Z", 14913, "end point in Z"),
@@ -80,7 +78,7 @@ constexpr BookLine lines[] = {
         word("I", 14924, "retraction in X"),
         word("K", 14925, "retraction in Z"),
         needs("X Z", 14912, "end point", "the thread has no end"),
-        takes_not("E", 14923, "it has no effect at present").when("E!0").as(note).also("DIN726"),
+        value("E", "0", 14923, "a change of the pitch has no effect at present").as(note).also("DIN726"),
     code("G923", 14958, "handwheel override in thread"),
         word("X", 14964, "largest correction towards X+"),
         word("Z", 14965, "largest correction towards Z+"),

@@ -162,7 +162,7 @@ constexpr BookLine lines[] = {
         needs("I K R", 13662, "distance between recesses", "all recesses lie at one place"),
         excludes("R", "I K", 13700, "the manual allows I with K, or one of I, K and R with A").also("DIN711"),
         only_with("R", "A", 13706, "without an angle the row of recesses has no direction").also("DIN711"),
-        takes_not("A", 13700, "I and K give the direction of the row").when("I K").also("DIN711"),
+        takes_not("A", 13700, "the direction follows from I and K").when("I K").also("DIN711"),
         precedes("G860", 13656, "it repeats the recess of that cycle").as(error).also("DIN710"),
     code("G869", 13708, "recess turning cycle"),
         word("ID", 13718, "name of the auxiliary contour"),
