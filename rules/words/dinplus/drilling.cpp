@@ -10,8 +10,7 @@ using enum Severity;
 
 // What a pattern repeats: not G72, which machines what a contour names, nor G73 [l.15552, l.15554].
 constexpr std::string_view face_cycles = "G71 G74 G36 G791 G793 G75 G840 G845 G846 G799";
-constexpr std::string_view lateral_cycles =
-    "G71 G74 G36 G314 G315 G317 G792 G794 G75 G840 G845 G846 G799";
+constexpr std::string_view lateral_cycles = "G71 G74 G36 G314 G315 G317 G792 G794 G75 G840 G845 G846 G799";
 
 // clang-format off
 constexpr BookLine lines[] = {
@@ -193,11 +192,10 @@ constexpr BookLine lines[] = {
 
 } // namespace
 
-extern const CodeBook dinplus_drilling{
-    .language = "dinplus",
-    .chapter = "drilling and patterns",
-    .source = "SEED-003",
-    .sections = "MACHINING SUBPROGRAM",
-    .lines = lines};
+extern const CodeBook dinplus_drilling{.language = "dinplus",
+                                       .chapter = "drilling and patterns",
+                                       .source = "SEED-003",
+                                       .sections = "MACHINING SUBPROGRAM",
+                                       .lines = lines};
 
 } // namespace maclint::code_books

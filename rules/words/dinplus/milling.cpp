@@ -9,8 +9,7 @@ using namespace book;
 using enum Severity;
 
 /// Figures, and the start points of free contours, that a cycle may have in the blocks behind it.
-constexpr std::string_view figures =
-    "G100 G110 G301 G302 G303 G304 G305 G307 G311 G312 G313 G314 G315 G317";
+constexpr std::string_view figures = "G100 G110 G301 G302 G303 G304 G305 G307 G311 G312 G313 G314 G315 G317";
 constexpr std::string_view no_contour = "the cycle has no contour to machine";
 constexpr std::string_view no_text = "there is nothing to engrave";
 constexpr std::string_view no_height = "the characters have no height";
@@ -21,7 +20,7 @@ constexpr BookLine lines[] = {
     code("G799", 16244, "thread milling along the spindle"),
         word("ID", 16252, "name of the hole"),
         word("NS", 16253, "block of the hole"),
-        word("I", 16254, "thread diameter"),
+        word("I", 16254, "diameter of the thread"),
         word("Z", 16255, "start point in Z"),
         word("K", 16256, "depth of the thread"),
         word("R", 16257, "approach radius"),
@@ -29,7 +28,7 @@ constexpr BookLine lines[] = {
         word("J", 16259, "thread: 0 right-hand, 1 left-hand", "0 1"),
         word("H", 16262, "milling: 0 up-cut, 1 climb", "0 1"),
         word("V", 16265, "method: 0 one turn, 1 several", "0 1"),
-        needs("I", 16254, "thread diameter", "the thread has no diameter").when("-ID -NS"),
+        needs("I", 16254, "diameter of the thread", "the thread has no diameter").when("-ID -NS"),
         needs("F", 16258, "pitch of the thread", "the thread has no pitch").when("-ID -NS"),
         needs("K", 16256, "depth of the thread", "the thread has no depth").when("-ID -NS"),
     code("G791", 16746, "linear slot on the face"),
@@ -376,7 +375,7 @@ constexpr BookLine lines[] = {
     code("G800", 23873, "thread milling in the XY plane"),
         word("ID", 23881, "name of the hole"),
         word("NS", 23882, "block of the hole"),
-        word("I", 23883, "thread diameter"),
+        word("I", 23883, "diameter of the thread"),
         word("Z", 23884, "start point in Z"),
         word("K", 23885, "depth of the thread"),
         word("R", 23886, "approach radius"),
@@ -384,13 +383,13 @@ constexpr BookLine lines[] = {
         word("J", 23888, "thread: 0 right-hand, 1 left-hand", "0 1"),
         word("H", 23891, "milling: 0 up-cut, 1 climb", "0 1"),
         word("V", 23894, "method: 0 one turn, 1 several", "0 1"),
-        needs("I", 23883, "thread diameter", "the thread has no diameter").when("-ID -NS"),
+        needs("I", 23883, "diameter of the thread", "the thread has no diameter").when("-ID -NS"),
         needs("F", 23887, "pitch of the thread", "the thread has no pitch").when("-ID -NS"),
         needs("K", 23885, "depth of the thread", "the thread has no depth").when("-ID -NS"),
     code("G806", 23902, "thread milling in the YZ plane"),
         word("ID", 23910, "name of the hole"),
         word("NS", 23911, "block of the hole"),
-        word("I", 23912, "thread diameter"),
+        word("I", 23912, "diameter of the thread"),
         word("X", 23913, "start point in X"),
         word("K", 23914, "depth of the thread"),
         word("R", 23915, "approach radius"),
@@ -398,7 +397,7 @@ constexpr BookLine lines[] = {
         word("J", 23917, "thread: 0 right-hand, 1 left-hand", "0 1"),
         word("H", 23920, "milling: 0 up-cut, 1 climb", "0 1"),
         word("V", 23923, "method: 0 one turn, 1 several", "0 1"),
-        needs("I", 23912, "thread diameter", "the thread has no diameter").when("-ID -NS"),
+        needs("I", 23912, "diameter of the thread", "the thread has no diameter").when("-ID -NS"),
         needs("F", 23916, "pitch of the thread", "the thread has no pitch").when("-ID -NS"),
         needs("K", 23914, "depth of the thread", "the thread has no depth").when("-ID -NS"),
     code("G808", 23931, "hobbing"),
@@ -429,11 +428,10 @@ constexpr BookLine lines[] = {
 
 } // namespace
 
-extern const CodeBook dinplus_milling{
-    .language = "dinplus",
-    .chapter = "milling and engraving",
-    .source = "SEED-003",
-    .sections = "MACHINING SUBPROGRAM",
-    .lines = lines};
+extern const CodeBook dinplus_milling{.language = "dinplus",
+                                      .chapter = "milling and engraving",
+                                      .source = "SEED-003",
+                                      .sections = "MACHINING SUBPROGRAM",
+                                      .lines = lines};
 
 } // namespace maclint::code_books
