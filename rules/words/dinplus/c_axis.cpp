@@ -38,7 +38,7 @@ constexpr BookLine lines[] = {
         word("BR", 16417, "chamfer or rounding to the next element").without("tangential transition"),
         word("Q", 16423, "choice of the intersection: 0 nearer, 1 farther", "0 1").without("0"),
         excludes("X C", "XK YK", 16432, two_points).as(error).also("DIN233"),
-        takes_not("AN BR Q", 16436, in_contours).also_before("G80").also("DIN663"),
+        takes_not("AN BR", 16436, in_contours).also_before("G80").also("DIN663"),
     code("G102 G103", 16463, "arc on the face"),
         word("X", 16469, "end diameter").without("modal"),
         word("C", 16470, "end angle").without("modal"),
@@ -59,7 +59,7 @@ constexpr BookLine lines[] = {
         takes_not("K", 16476, "it is a centre of H2 and H3").when("H?0|1 -R"),
         takes_not("J", 16519, "with H2 the centre is told by I and K").when("H=2 -R"),
         takes_not("I", 16520, "with H3 the centre is told by J and K").when("H=3 -R"),
-        takes_not("AN BR Q", 16498, in_contours).also_before("G80").also("DIN663"),
+        takes_not("AN BR", 16498, in_contours).also_before("G80").also("DIN663"),
     code("G110", 16535, "rapid traverse on the lateral surface"),
         word("Z", 16543, "end point in Z").without("modal"),
         word("C", 16544, "end angle").without("modal"),
@@ -75,7 +75,7 @@ constexpr BookLine lines[] = {
         word("BR", 16588, "chamfer or rounding to the next element").without("tangential transition"),
         word("Q", 16594, "choice of the intersection: 0 nearer, 1 farther", "0 1").without("0"),
         excludes("C", "CY", 16603, two_angles).as(error).also("DIN232"),
-        takes_not("AN BR Q", 16607, in_contours).also_before("G80").also("DIN663"),
+        takes_not("AN BR", 16607, in_contours).also_before("G80").also("DIN663"),
     code("G112 G113", 16628, "arc on the lateral surface"),
         word("Z", 16634, "end point in Z").without("modal"),
         word("C", 16635, "end angle").without("modal"),
@@ -91,7 +91,7 @@ constexpr BookLine lines[] = {
         needs("R K J W", 16667, "radius or centre of the arc", "nobody knows how the arc runs"),
         excludes("C", "CY", 16666, two_angles).as(error).also("DIN232"),
         excludes("R", "K J W", 16667, two_arcs).as(error),
-        takes_not("AN BR Q", 16658, in_contours).also_before("G80").also("DIN663"),
+        takes_not("AN BR", 16658, in_contours).also_before("G80").also("DIN663"),
 };
 // clang-format on
 

@@ -8,8 +8,8 @@ namespace {
 using namespace book;
 using enum Severity;
 
-/// Cycles that take the oversizes set before them [l.12867, l.12893, l.14329, l.15118, l.16904].
-constexpr std::string_view turning_cycles = "G810 G820 G830 G835 G860 G869 G870 G890 G891 G895";
+/// Cycles that take the oversizes set before them [l.12867, l.12893, l.14329].
+constexpr std::string_view turning_cycles = "G81 G82 G83 G810 G820 G830 G835 G860 G869 G870 G890 G891 G895";
 
 /// What may stand between G41 and the straight move: it moves nothing [l.12718].
 constexpr std::string_view no_moves =
@@ -34,7 +34,7 @@ constexpr BookLine lines[] = {
         word("U", 12759, "shift in U").without("axis not shifted"),
         word("V", 12760, "shift in V").without("axis not shifted"),
         word("W", 12761, "shift in W").without("axis not shifted"),
-        apart(motions, 10226, "the axes would be the words of both"),
+        apart(motions, 10226, "both would take the same axes"),
     code("G53 G54 G55", 12777, "zero point shift by a stored offset"),
     code("G56", 12793, "additive zero point shift"),
         word("X", 12799, "shift in X, a radius").without("axis not shifted"),
@@ -43,7 +43,7 @@ constexpr BookLine lines[] = {
         word("U", 12802, "shift in U").without("axis not shifted"),
         word("V", 12803, "shift in V").without("axis not shifted"),
         word("W", 12804, "shift in W").without("axis not shifted"),
-        apart(motions, 10226, "the axes would be the words of both"),
+        apart(motions, 10226, "both would take the same axes"),
     code("G59", 12822, "absolute zero point shift"),
         word("X", 12828, "shift in X, a radius").without("axis not shifted"),
         word("Y", 12829, "shift in Y").without("axis not shifted"),
@@ -51,7 +51,7 @@ constexpr BookLine lines[] = {
         word("U", 12831, "shift in U").without("axis not shifted"),
         word("V", 12832, "shift in V").without("axis not shifted"),
         word("W", 12833, "shift in W").without("axis not shifted"),
-        apart(motions, 10226, "the axes would be the words of both"),
+        apart(motions, 10226, "both would take the same axes"),
     code("G50", 12850, "oversize of the contour off"),
         apart(turning_cycles, 12852, "it stands before the cycle"),
     code("G52", 12850, "oversize of the contour off, written G50 today"),
@@ -59,7 +59,7 @@ constexpr BookLine lines[] = {
     code("G57", 12856, "oversize in X and Z"),
         word("X", 12862, "oversize in X", ">=0").or_else("only positive oversizes are taken").as(error).also("DIN636"),
         word("Z", 12863, "oversize in Z", ">=0").or_else("only positive oversizes are taken").as(error).also("DIN636"),
-        apart(motions, 10226, "X and Z would be the words of both"),
+        apart(motions, 10226, "both would take the same X and Z"),
         apart(turning_cycles, 12858, "it stands before the cycle"),
     code("G58", 12883, "equidistant oversize"),
         word("P", 12889, "equidistant oversize").needed("no oversize is set"),

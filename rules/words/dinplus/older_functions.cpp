@@ -54,7 +54,7 @@ constexpr BookLine lines[] = {
         word("I", 20503, "greatest depth of a cut in X").in_examples(),
         word("K", 20504, "greatest depth of a cut in Z").in_examples(),
         needs("I K", 20506, "greatest depth of a cut", "nothing is repeated"),
-        alone("X Z I K", 20510, "it stands alone, in front of the blocks that it repeats").as(error).also("DIN009"),
+        alone("X Z I K", 20510, "it repeats the blocks after it up to G80").as(error).also("DIN009"),
     code("G86", 20551, "simple recess"),
         word("X", 20557, "diameter of the base corner").without("modal"),
         word("Z", 20558, "base corner in Z").without("modal"),
