@@ -5,43 +5,30 @@ namespace maclint::code_books {
 namespace {
 
 using namespace book;
-using enum Severity;
 
 constexpr std::string_view not_described = "the manual names it without saying what it takes";
-constexpr std::string_view opposite = "a block does not hold both of two opposite functions";
 
 // clang-format off
 constexpr BookLine lines[] = {
     code("M0", 20013, "program stop"),
     code("M1", 20014, "optional stop"),
     code("M3", 20039, "main spindle on, clockwise"),
-        apart("M4", 10231, opposite).as(error),
-        apart("M5", 10226, opposite),
     code("M4", 20040, "main spindle on, counterclockwise"),
-        apart("M5", 10226, opposite),
     code("M5", 20041, "main spindle off"),
     code("M8", 1863, "coolant circuit 1 on"),
-        apart("M9", 10226, opposite),
     code("M9", 1880, "all coolant circuits off"),
     code("M12", 20042, "brake of the main spindle closed"),
-        apart("M13", 10226, opposite),
     code("M13", 20043, "brake of the main spindle open"),
     code("M14", 20044, "C axis on"),
-        apart("M15", 10226, opposite),
     code("M15", 20045, "C axis off"),
     code("M18", 20015, "counting pulse"),
     code("M19", 20046, "spindle stop at an angle"),
         word("C", 20046, "angle of the spindle"),
     code("M30", 20016, "end of the program"),
-        apart("M99", 8603, "a program ends with one of them"),
     code("M40", 20047, "gear range 0, neutral"),
-        apart("M41 M42 M43 M44", 10226, "one gear range is chosen"),
     code("M41", 20048, "gear range 1"),
-        apart("M42 M43 M44", 10226, "one gear range is chosen"),
     code("M42", 20049, "gear range 2"),
-        apart("M43 M44", 10226, "one gear range is chosen"),
     code("M43", 20050, "gear range 3"),
-        apart("M44", 10226, "one gear range is chosen"),
     code("M44", 20051, "gear range 4"),
     code("M91", 20017, "stop without stopping the spindle"),
     code("M97", 20018, "synchronisation of slides"),
@@ -51,26 +38,19 @@ constexpr BookLine lines[] = {
     code("M99", 20021, "end of the program with restart"),
         word("NS", 20021, "block to go on from").without("beginning of the program"),
     code("M103", 20052, "spindle 1 on, clockwise"),
-        apart("M104 M105", 10226, opposite),
     code("M104", 20053, "spindle 1 on, counterclockwise"),
-        apart("M105", 10226, opposite),
     code("M105", 20054, "spindle 1 off"),
     code("M107", 20939, "function of the machine, in examples alone").off(not_described),
     code("M108", 14774, "function of the machine, in examples alone").off(not_described),
     code("M109", 14779, "function of the machine, in examples alone").off(not_described),
     code("M203", 20052, "spindle 2 on, clockwise"),
-        apart("M204 M205", 10226, opposite),
     code("M204", 20053, "spindle 2 on, counterclockwise"),
-        apart("M205", 10226, opposite),
     code("M205", 20054, "spindle 2 off"),
     code("M303", 20052, "spindle 3 on, clockwise"),
-        apart("M304 M305", 10226, opposite),
     code("M304", 20053, "spindle 3 on, counterclockwise"),
-        apart("M305", 10226, opposite),
     code("M305", 20054, "spindle 3 off"),
     code("M315", 8489, "C axis of spindle 3 off").off(not_described),
     code("M417", 20019, "protection zone on"),
-        apart("M418", 10226, opposite),
     code("M418", 20020, "protection zone off"),
 };
 // clang-format on

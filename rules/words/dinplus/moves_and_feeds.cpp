@@ -1,16 +1,11 @@
 //! DIN PLUS: moves, feeds and speeds. Numbers are lines of the manual.
 #include "rules/words/code_book.hpp"
-#include "rules/words/dinplus/codes.hpp"
 
 namespace maclint::code_books {
 namespace {
 
 using namespace book;
 using enum Severity;
-
-constexpr std::string_view one_motion = "the control takes one kind of move in a block";
-constexpr std::string_view one_feed = "both would take the same F";
-constexpr std::string_view one_speed = "both would take the same S";
 
 // clang-format off
 constexpr BookLine lines[] = {
@@ -25,7 +20,6 @@ constexpr BookLine lines[] = {
         word("U", 19241, "target of the U axis").without("axis not moved"),
         word("V", 19242, "target of the V axis").without("axis not moved"),
         word("W", 20929, "target of the W axis").without("axis not moved"),
-        apart("G1", 10231, one_motion).as(error),
     code("G701", 12272, "rapid traverse in machine coordinates"),
         word("X", 12278, "target diameter from machine zero").without("axis not moved"),
         word("Z", 12279, "target in Z from machine zero").without("axis not moved"),
@@ -36,7 +30,6 @@ constexpr BookLine lines[] = {
         word("U", 12285, "target of the U axis").without("axis not moved"),
         word("V", 12285, "target of the V axis").without("axis not moved"),
         word("W", 12285, "target of the W axis").without("axis not moved"),
-        apart("G0 G1 G2 G3 G12 G13", 10226, "both would take the same X and Z"),
     code("G14", 12287, "approach of the tool change position"),
         word("Q", 12293, "order in which the axes move", "0 1 2 3 4 5 6").without("0").or_else("the manual knows no such order"),
         word("D", 12301, "number of the tool change position", "0 1 2").without("0").or_else("there is no such position").also("DIN658"),
@@ -46,7 +39,6 @@ constexpr BookLine lines[] = {
         word("X", 12320, "diameter of the position").without("value of the machine parameters"),
         word("Z", 12321, "position in Z").without("value of the machine parameters"),
         word("Y", 24045, "position in Y").without("value of the machine parameters"), // in the example alone
-        apart(motions, 10226, "both would take the same X and Z"),
     // Examples write A, B and E, as controls before had them, for AN, BR and BE [12410..12417].
     code("G1", 12341, "straight move"),
         word("X", 12347, "target diameter").without("modal"),
@@ -64,7 +56,7 @@ constexpr BookLine lines[] = {
         word("V", 12368, "target of the V axis").without("axis not moved"),
         word("W", 12368, "target of the W axis").without("axis not moved"),
         only_with("BE E", "BR B", 12359, "it is the feed of the chamfer or rounding"),
-    code("G2", 12370, "arc clockwise, incremental centre"),
+    code("G2 G3", 12370, "arc clockwise or counterclockwise, incremental centre"),
         word("X", 12381, "target diameter").without("modal"),
         word("Z", 12382, "target in Z").without("modal"),
         word("Y", 23361, "target in Y").without("modal"),
@@ -80,25 +72,7 @@ constexpr BookLine lines[] = {
         only_with("BE E", "BR B", 12395, "it is the feed of the chamfer or rounding"),
         excludes("R", "I J K", 12383, "the arc is told by its centre or by its radius"),
         takes_not("J", 23350, "a plane has two words for the centre: I and J, I and K, or J and K").when("I K"),
-        apart("G0 G1 G3 G12 G13", 10231, one_motion).as(error),
-    code("G3", 12370, "arc counterclockwise, incremental centre"),
-        word("X", 12381, "target diameter").without("modal"),
-        word("Z", 12382, "target in Z").without("modal"),
-        word("Y", 23361, "target in Y").without("modal"),
-        word("R", 12383, "radius", ">0 <=200000").without("centre I, J, K instead"),
-        word("I", 12384, "incremental centre in X").without("shortest arc"),
-        word("K", 12385, "incremental centre in Z").without("shortest arc"),
-        word("J", 23364, "incremental centre in Y").without("shortest arc"),
-        word("Q", 12386, "choice of the intersection: 0 nearer, 1 farther", "0 1").without("0"),
-        word("BR", 12389, "chamfer or rounding to the next element").without("tangential transition"),
-        word("BE", 12395, "feed factor of the chamfer or rounding", ">0 <=1").without("1"),
-        word("B", 12412, "chamfer or rounding, written BR today"),
-        word("E", 12410, "feed factor of the chamfer, written BE today", ">0 <=1").without("1"),
-        only_with("BE E", "BR B", 12395, "it is the feed of the chamfer or rounding"),
-        excludes("R", "I J K", 12383, "the arc is told by its centre or by its radius"),
-        takes_not("J", 23350, "a plane has two words for the centre: I and J, I and K, or J and K").when("I K"),
-        apart("G0 G1 G12 G13", 10231, one_motion).as(error),
-    code("G12", 12421, "arc clockwise, absolute centre"),
+    code("G12 G13", 12421, "arc clockwise or counterclockwise, absolute centre"),
         word("X", 12432, "target diameter").without("modal"),
         word("Z", 12433, "target in Z").without("modal"),
         word("Y", 23405, "target in Y").without("modal"),
@@ -114,30 +88,10 @@ constexpr BookLine lines[] = {
         only_with("BE E", "BR B", 12446, "it is the feed of the chamfer or rounding"),
         excludes("R", "I J K", 12434, "the arc is told by its centre or by its radius"),
         takes_not("J", 23394, "a plane has two words for the centre: I and J, I and K, or J and K").when("I K"),
-        apart("G0 G1 G13", 10231, one_motion).as(error),
-    code("G13", 12421, "arc counterclockwise, absolute centre"),
-        word("X", 12432, "target diameter").without("modal"),
-        word("Z", 12433, "target in Z").without("modal"),
-        word("Y", 23405, "target in Y").without("modal"),
-        word("R", 12434, "radius", ">0 <=200000").without("centre I, J, K instead"),
-        word("I", 12435, "absolute centre in X, a radius").without("shortest arc"),
-        word("K", 12436, "absolute centre in Z").without("shortest arc"),
-        word("J", 23408, "absolute centre in Y").without("shortest arc"),
-        word("Q", 12437, "choice of the intersection: 0 nearer, 1 farther", "0 1").without("0"),
-        word("BR", 12440, "chamfer or rounding to the next element").without("tangential transition"),
-        word("BE", 12446, "feed factor of the chamfer or rounding", ">0 <=1").without("1"),
-        word("E", 23419, "feed factor of the chamfer, written BE today", ">0 <=1").without("1"),
-        word("B", 12412, "chamfer or rounding, written BR today"),
-        only_with("BE E", "BR B", 12446, "it is the feed of the chamfer or rounding"),
-        excludes("R", "I J K", 12434, "the arc is told by its centre or by its radius"),
-        takes_not("J", 23394, "a plane has two words for the centre: I and J, I and K, or J and K").when("I K"),
-        apart("G0 G1", 10231, one_motion).as(error),
     code("G26", 12459, "speed limit of the main spindle"),
         word("S", 12468, "highest speed").needed("the speed is not limited"),
-        apart("G96 G196 G296 G396 G97 G197 G297 G397", 10226, one_speed),
     code("G126 G226 G326", 12459, "speed limit of spindle 1, 2 or 3"),
         word("S", 12468, "highest speed").needed("the speed is not limited"),
-        apart("G96 G196 G296 G396 G97 G197 G297 G397", 10226, one_speed),
     code("G48", 12483, "reduction of the rapid traverse"),
         word("F", 12489, "highest feed").without("G48 alone ends the reduction"),
         word("D", 12490, "number of the axis: 1 is X, 9 is C", "1 2 3 4 5 6 7 8 9").without("G48 alone ends the reduction"),
@@ -148,22 +102,16 @@ constexpr BookLine lines[] = {
         word("F", 12511, "length of the feed in seconds", ">0.01 <99.99").without("G64 alone switches off").or_else("the control refuses the time").as(error).also("DIN615"),
     code("G193 G293 G393", 12532, "feed per tooth"),
         word("F", 12538, "feed per tooth").needed("no feed is set"),
-        apart("G48 G64 G95 G195 G295 G395", 10226, one_feed),
     code("G94", 12558, "feed per minute"),
         word("F", 12564, "feed per minute").needed("no feed is set"),
-        apart("G48 G64 G93 G193 G293 G393 G95 G195 G295 G395", 10226, one_feed),
     code("G95", 12575, "feed per revolution of the main spindle"),
         word("F", 12584, "feed per revolution").needed("no feed is set"),
-        apart("G48 G64", 10226, one_feed),
     code("G195 G295 G395", 12575, "feed per revolution of spindle 1, 2 or 3"),
         word("F", 12584, "feed per revolution").needed("no feed is set"),
-        apart("G48 G64", 10226, one_feed),
     code("G96", 12596, "constant cutting speed of the main spindle"),
         word("S", 12605, "cutting speed").needed("no cutting speed is set"),
-        apart("G97 G197 G297 G397", 10226, one_speed),
     code("G196 G296 G396", 12596, "constant cutting speed of spindle 1, 2 or 3"),
         word("S", 12605, "cutting speed").needed("no cutting speed is set"),
-        apart("G97 G197 G297 G397", 10226, one_speed),
     code("G97", 12628, "constant speed of the main spindle"),
         word("S", 12637, "revolutions per minute").needed("no speed is set"),
     code("G197 G297 G397", 12628, "constant speed of spindle 1, 2 or 3"),
@@ -181,7 +129,6 @@ constexpr BookLine lines[] = {
         needs("F D", 18040, "dwell in seconds or in revolutions", "there is no waiting"),
         excludes("F", "D", 18040, "the dwell is a time or a number of revolutions"),
     code("G7", 18047, "precision stop on"),
-        apart("G8", 10226, "one switches on, the other off"),
     code("G8", 18051, "precision stop off"),
     code("G9", 18055, "precision stop of one block"),
     code("G60", 18059, "protection zone off and on"),
