@@ -71,7 +71,7 @@ std::string list_of(const std::vector<NamedRule>& named) {
     return plain_list(rules, ListedRows::left_out) + heading + list_of_rows(rows) + "\n" + enumerate(counts);
 }
 
-/// The pages of a code of programs, "G860"; empty where no chapter has it.
+/// The pages of a code of programs, "G860", or of a section, "FACE_C"; empty where no chapter has it.
 std::string pages_of(const ExplainRequest& request, const PageStyle& style) {
     std::string text;
     for (const Dialect& dialect : dialects()) {
@@ -79,8 +79,8 @@ std::string pages_of(const ExplainRequest& request, const PageStyle& style) {
         const std::string_view language = find_control(dialect.default_control)->language;
         if (language != dialect.name && request.dialect == nullptr)
             continue; // a dialect of another's language
-        for (const CodePage* page : pages_of_code(language, request.rule))
-            text += (text.empty() ? "" : "\n") + plain_code_page(*page, style);
+        for (const CodePage& page : pages_named(language, request.rule))
+            text += (text.empty() ? "" : "\n") + plain_code_page(page, style);
     }
     return text;
 }

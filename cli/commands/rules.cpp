@@ -129,8 +129,8 @@ int write_codes(const std::string& folder) {
         for (const auto& entry : platform::entries_of(path, ignored))
             if (platform::text_of(entry.path.filename()).ends_with(".md")) fs::remove(entry.path, ignored);
         auto failure = write_to(platform::text_of(path / index_name), markdown_codes(language));
-        for (const CodeBook* book : all_code_books())
-            if (!failure && book->language == language)
+        for (const CodeBook* book : books_of(language))
+            if (!failure)
                 failure = write_to(platform::text_of(path / chapter_file(*book)), markdown_chapter(*book));
         if (!failure) continue;
         print_notice(*failure);

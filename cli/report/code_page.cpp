@@ -5,6 +5,7 @@
 #include "cli/config/rule_words.hpp"
 #include "rules/words/row_text.hpp"
 #include "rules/words/rule_row.hpp"
+#include "rules/words/section_pages.hpp"
 #include "rules/words/word_list.hpp"
 
 #include <algorithm>
@@ -39,31 +40,33 @@ std::string remarks_of(const BookLine& word) {
     return text;
 }
 
-/// The rows that hold for the code of the page in one of its sections, or where it has no place.
-std::vector<const RuleRow*> rows_of(const CodePage& page) {
-    const auto is_of_page = [&](const RowForCode& row) {
-        if (row.table->language != page.book->language || !has_word(page.head->row.code, code_of(row)))
-            return false;
-        const std::string_view sections = row.row->sections.empty() ? row.table->sections : row.row->sections;
-        return row.row->says == RowStatement::refused || sections.empty() ||
-               has_word(sections, words_of(page.sections()).front());
-    };
-    std::vector<const RuleRow*> rows;
-    for (const RuleRow& row : all_rule_rows())
-        if (std::ranges::any_of(row.rows, is_of_page)) rows.push_back(&row);
+/// Whether the row holds for the code of the page in one of its sections, or where it has no place.
+bool is_of(const CodePage& page, const RowForCode& row) {
+    if (row.table->language != page.book->language || !has_word(page.head->row.code, code_of(row)))
+        return false;
+    const std::string_view sections = row.row->sections.empty() ? row.table->sections : row.row->sections;
+    return row.row->says == RowStatement::refused || sections.empty() ||
+           has_word(sections, words_of(page.sections()).front());
+}
+
+/// What a row says of the code of a page.
+struct RowOfPage {
+    const RuleRow* rule_row;
+    std::string says;
+};
+
+std::vector<RowOfPage> rows_of(const CodePage& page) {
+    std::vector<RowOfPage> rows;
+    for (const RuleRow& rule_row : all_rule_rows())
+        for (const RowForCode& row : rule_row.rows)
+            if (is_of(page, row)) rows.push_back({&rule_row, sentence_of(row)});
     return rows;
 }
 
-/// What a row of the page says.
-std::string sentence_on(const CodePage& page, const RuleRow& row) {
-    const auto found = std::ranges::find_if(
-        row.rows, [&](const RowForCode& entry) { return entry.table->language == page.book->language; });
-    return sentence_of(*found);
-}
-
-/// Rules that have the code in their names: "DIN906 g30-left-active".
+/// Rules that have the code in their names, "DIN906 g30-left-active", or the one on words of sections.
 std::vector<const Rule*> rules_named_after(const CodePage& page) {
     std::vector<const Rule*> rules;
+    if (page.sections().empty()) return {find_rule("DIN109")};
     for (const std::string_view code : words_of(page.head->row.code))
         for (const auto& [rule, row] : rules_meant(std::string(code)))
             if (row == nullptr) rules.push_back(rule);
@@ -80,8 +83,10 @@ std::string plain_code_page(const CodePage& page, const PageStyle& style) {
     PlainPage out(style);
     out.add_title(title_of(page),
                   std::string(language_name(page.book->language)) + ", " + std::string(page.book->chapter));
-    out.add_heading("Where it may stand:");
-    out.add_item(sections_in_words(page.sections()));
+    if (!page.sections().empty()) {
+        out.add_heading("Where it may stand:");
+        out.add_item(sections_in_words(page.sections()));
+    }
     out.add_heading("Its words:");
     bool has_words = false;
     for (const BookLine& line : page.lines) {
@@ -93,8 +98,8 @@ std::string plain_code_page(const CodePage& page, const PageStyle& style) {
     }
     if (!has_words) out.add_item("none");
     out.add_heading("Rules that watch it:");
-    for (const RuleRow* row : rows_of(page))
-        out.add_item(row->name() + (row->on_by_default() ? ": " : ", off: ") + sentence_on(page, *row));
+    for (const auto& [row, says] : rows_of(page))
+        out.add_item(row->name() + (row->on_by_default() ? ": " : ", off: ") + says);
     for (const Rule* rule : rules_named_after(page))
         out.add_item(std::string(rule->code) + " " + std::string(rule->name) + ": " +
                      std::string(rule->summary) + ".");
@@ -103,11 +108,19 @@ std::string plain_code_page(const CodePage& page, const PageStyle& style) {
     return out.take();
 }
 
+std::vector<const CodeBook*> books_of(std::string_view language) {
+    std::vector<const CodeBook*> books;
+    for (const auto all : {all_section_books(), all_code_books()})
+        for (const CodeBook* book : all)
+            if (book->language == language) books.push_back(book);
+    return books;
+}
+
 std::string markdown_chapter(const CodeBook& book) {
     std::string out = "# " + std::string(book.chapter) + "\n\n" + std::string(codes_mark) + "\n";
-    for (const CodePage& page : all_code_pages()) {
-        if (page.book != &book) continue;
-        out += "\n## " + title_of(page) + "\n\nIn " + sections_in_words(page.sections()) + "; " +
+    for (const CodePage& page : pages_of(book)) {
+        out += "\n## " + title_of(page) + "\n\n" +
+               (page.sections().empty() ? "" : "In " + sections_in_words(page.sections()) + "; ") +
                shown_source(source_of(page, *page.head)) + ".\n";
         bool is_first = true;
         for (const BookLine& line : page.lines) {
@@ -118,10 +131,9 @@ std::string markdown_chapter(const CodeBook& book) {
                    remarks_of(line) + " | " + std::to_string(line.line) + " |\n";
         }
         out += "\n";
-        for (const RuleRow* row : rows_of(page))
+        for (const auto& [row, says] : rows_of(page))
             if (row->first().says != RowStatement::takes_only)
-                out += "- " + sentence_on(page, *row) + " `" + row->name() + "`" +
-                       (row->on_by_default() ? "" : ", off") + "\n";
+                out += "- " + says + " `" + row->name() + "`" + (row->on_by_default() ? "" : ", off") + "\n";
     }
     return out;
 }
@@ -130,8 +142,8 @@ std::string markdown_codes(std::string_view language) {
     std::string out = "# Codes of " + std::string(language_name(language)) + "\n\n" +
                       std::string(codes_mark) + " `maclint explain G860 --dialect " + std::string(language) +
                       "` prints the same of one code.\n\n| code | what it is | chapter |\n|---|---|---|\n";
-    for (const CodePage& page : all_code_pages())
-        if (page.book->language == language)
+    for (const CodeBook* book : books_of(language))
+        for (const CodePage& page : pages_of(*book))
             out += "| " + all_of(page.head->row.code) + " | " + std::string(page.head->row.means) + " | [" +
                    std::string(page.book->chapter) + "](" + chapter_file(*page.book) + ") |\n";
     return out;

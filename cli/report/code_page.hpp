@@ -7,11 +7,14 @@
 
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace maclint::cli {
 
 [[nodiscard]] std::string plain_code_page(const CodePage& page, const PageStyle& style);
 
+/// The chapters of a language: that on sections first.
+[[nodiscard]] std::vector<const CodeBook*> books_of(std::string_view language);
 /// Markdown of a chapter, a heading of the second level for each code.
 [[nodiscard]] std::string markdown_chapter(const CodeBook& book);
 /// Markdown that lists all codes of a language with links to their chapters.

@@ -128,7 +128,7 @@ class Writer {
     void add_need(const CodePage& page, const BookLine& line, std::vector<WordRow>& rows) {
         WordRow row = on_page(page, line, RowStatement::needs);
         clear_values(row);
-        row.aliases = {};
+        if (has_values(line.row)) row.aliases = {}; // they are of its values
         row.severity = line.need == Need::sure ? Severity::error : Severity::warning;
         rows.push_back(row);
     }

@@ -1,7 +1,7 @@
 //! Finds a section in the chapters on sections.
 #include "rules/words/section_pages.hpp"
 
-#include "rules/words/code_pages.hpp"
+#include "analyzer/dialect/ascii.hpp"
 #include "rules/words/word_list.hpp"
 
 #include <algorithm>
@@ -27,6 +27,19 @@ bool is_information(std::string_view name) { return name == "CHUCKING_EQUIPMENT"
 const BookLine* SectionPage::find(std::string_view address) const {
     const auto found = std::ranges::find(lines, address, [](const BookLine& line) { return line.row.words; });
     return found == lines.end() ? nullptr : &*found;
+}
+
+std::vector<CodePage> pages_named(std::string_view language, std::string_view name) {
+    std::vector<CodePage> pages;
+    for (const CodePage* page : pages_of_code(language, name)) pages.push_back(*page);
+    std::string section = in_capitals(name);
+    std::ranges::replace(section, ' ', '_');
+    for (const CodeBook* book : all_section_books()) {
+        if (book->language != language) continue;
+        for (const CodePage& page : pages_of(*book))
+            if (has_word(page.head->row.code, section)) pages.push_back(page);
+    }
+    return pages;
 }
 
 std::optional<SectionPage> page_of_section(std::string_view language, std::string_view kind) {

@@ -1,12 +1,13 @@
 //! What the manual says of the words of a section's description.
 #pragma once
 
-#include "rules/words/code_book.hpp"
+#include "rules/words/code_pages.hpp"
 
 #include <optional>
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace maclint {
 
@@ -21,6 +22,9 @@ struct SectionPage {
 
 /// `kind`: a name of ControlModel::sections. Nothing: the manual says nothing of its words.
 [[nodiscard]] std::optional<SectionPage> page_of_section(std::string_view language, std::string_view kind);
+
+/// The pages of a code or of a section, as users write them: "g0860", "face_c", "CHUCKING EQUIPMENT".
+[[nodiscard]] std::vector<CodePage> pages_named(std::string_view language, std::string_view name);
 
 /// The chapter on sections of each language that has one.
 [[nodiscard]] std::span<const CodeBook* const> all_section_books();

@@ -41,9 +41,10 @@ namespace {
 
 void check(const RowOfBlock& block, Reporter& reporter) {
     const WordRow& row = block.row();
-    for (const Word* word : block.own(row.words))
-        block.report(reporter, *word, "foreign",
-                     {block.text_of(*word), block.text_of(block.code), std::string(row.effect)});
+    const auto words = block.own(row.words);
+    if (words.empty()) return;
+    block.report(reporter, *words.front(), "foreign",
+                 {block.text_of(*words.front()), block.text_of(block.code), std::string(row.effect)});
 }
 
 } // namespace

@@ -38,6 +38,13 @@ TEST_F(CodePages, AreThoseOfEachPlaceOfACode) {
                 AllOf(HasSubstr("(dinplus, contours"), HasSubstr("(dinplus, moves, feeds and speeds)")));
 }
 
+TEST_F(CodePages, TellOfSections) {
+    for (const std::string name : {"CHUCKING EQUIPMENT", "chucking_equipment"})
+        EXPECT_THAT(run({"explain", name}).out,
+                    AllOf(ContainsRegex("\n    Q: [^\n]+ \\(4 or 5\\)"),
+                          HasSubstr("DIN109 section-parameter"), Not(HasSubstr("Where it may stand"))));
+}
+
 TEST_F(CodePages, StandBesideTheRowsOfOtherLanguages) {
     EXPECT_THAT(run({"explain", "G83"}).out,
                 AllOf(StartsWith("G83 "), HasSubstr("\nIn other languages:\n    MAC523/G83.Q")));
