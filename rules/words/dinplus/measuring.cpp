@@ -17,7 +17,8 @@ constexpr BookLine zero_shift(std::uint32_t line) {
     return word("R", line, "zero shift: 1 in the table, too, 2 in the program", "1 2").in_examples();
 }
 constexpr BookLine two_point_correction(std::uint32_t line) {
-    return word("R", line, "correction: 1 DX and DZ, 2 DX and DS, 3 DX and DD, 4 DD", "1 2 3 4").in_examples();
+    return word("R", line, "correction: 1 DX and DZ, 2 DX and DS, 3 DX and DD, 4 DD", "1 2 3 4")
+        .in_examples();
 }
 constexpr BookLine position_tolerance(std::uint32_t line) {
     return word("BD", line, "tolerance of the position").in_examples();
@@ -430,11 +431,10 @@ constexpr BookLine lines[] = {
 
 } // namespace
 
-extern const CodeBook dinplus_measuring{
-    .language = "dinplus",
-    .chapter = "measuring",
-    .source = "SEED-003",
-    .sections = "MACHINING SUBPROGRAM",
-    .lines = lines};
+extern const CodeBook dinplus_measuring{.language = "dinplus",
+                                        .chapter = "measuring",
+                                        .source = "SEED-003",
+                                        .sections = "MACHINING SUBPROGRAM",
+                                        .lines = lines};
 
 } // namespace maclint::code_books

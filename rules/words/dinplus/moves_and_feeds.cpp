@@ -56,6 +56,7 @@ constexpr BookLine lines[] = {
         word("V", 12368, "target of the V axis").without("axis not moved"),
         word("W", 12368, "target of the W axis").without("axis not moved"),
         only_with("BE E", "BR B", 12359, "it is the feed of the chamfer or rounding"),
+        excludes("E", "BE", 12410, "both are the feed factor"),
     code("G2 G3", 12370, "arc clockwise or counterclockwise, incremental centre"),
         word("X", 12381, "target diameter").without("modal"),
         word("Z", 12382, "target in Z").without("modal"),
@@ -70,6 +71,8 @@ constexpr BookLine lines[] = {
         word("B", 12412, "chamfer or rounding, written BR today"),
         word("E", 12410, "feed factor of the chamfer, written BE today", ">0 <=1").without("1"),
         only_with("BE E", "BR B", 12395, "it is the feed of the chamfer or rounding"),
+        excludes("E", "BE", 12410, "both are the feed factor"),
+        excludes("B", "BR", 12412, "both are the chamfer or rounding"),
         excludes("R", "I J K", 12383, "the arc is told by its centre or by its radius"),
         takes_not("J", 23350, "a plane has two words for the centre: I and J, I and K, or J and K").when("I K"),
     code("G12 G13", 12421, "arc clockwise or counterclockwise, absolute centre"),
@@ -86,6 +89,8 @@ constexpr BookLine lines[] = {
         word("E", 23419, "feed factor of the chamfer, written BE today", ">0 <=1").without("1"),
         word("B", 12412, "chamfer or rounding, written BR today"),
         only_with("BE E", "BR B", 12446, "it is the feed of the chamfer or rounding"),
+        excludes("E", "BE", 23419, "both are the feed factor"),
+        excludes("B", "BR", 12412, "both are the chamfer or rounding"),
         excludes("R", "I J K", 12434, "the arc is told by its centre or by its radius"),
         takes_not("J", 23394, "a plane has two words for the centre: I and J, I and K, or J and K").when("I K"),
     code("G26", 12459, "speed limit of the main spindle"),
@@ -152,11 +157,10 @@ constexpr BookLine lines[] = {
 
 } // namespace
 
-extern const CodeBook dinplus_moves_and_feeds{
-    .language = "dinplus",
-    .chapter = "moves, feeds and speeds",
-    .source = "SEED-003",
-    .sections = "MACHINING SUBPROGRAM",
-    .lines = lines};
+extern const CodeBook dinplus_moves_and_feeds{.language = "dinplus",
+                                              .chapter = "moves, feeds and speeds",
+                                              .source = "SEED-003",
+                                              .sections = "MACHINING SUBPROGRAM",
+                                              .lines = lines};
 
 } // namespace maclint::code_books
