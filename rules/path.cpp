@@ -107,8 +107,10 @@ std::string quoted(const Program& program, Span span) {
 
 std::string number_word(double number) {
     std::array<char, 32> digits{};
-    const auto [end, error] = std::to_chars(digits.data(), digits.data() + digits.size(), number);
-    return {digits.data(), error == std::errc{} ? end : digits.data()};
+    char* const last = digits.data() + digits.size();
+    auto written = std::to_chars(digits.data(), last, number, std::chars_format::fixed); // 200000, no 2e+05
+    if (written.ec != std::errc{}) written = std::to_chars(digits.data(), last, number);
+    return {digits.data(), written.ec == std::errc{} ? written.ptr : digits.data()};
 }
 
 std::string line_number(const ProgramFile& file, Offset offset) {

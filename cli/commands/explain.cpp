@@ -9,6 +9,7 @@
 #include "cli/suggest.hpp"
 #include "cli/terminal.hpp"
 #include "rules/words/row_examples.hpp"
+#include "rules/words/section_pages.hpp"
 
 #include <algorithm>
 #include <vector>

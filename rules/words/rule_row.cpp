@@ -20,14 +20,21 @@ std::string joined(std::string_view list, std::string_view separator) {
     return text;
 }
 
-/// "G83" for the row's code, then ".Q" for its words and "-P" for those that they are held against.
+/// "G83" for the row's code, then ".Q" for its words and "-P" for those that they are held against; of codes
+/// beside which or before which it must not stand, the first.
 std::string key_of(const RowForCode& code) {
     const WordRow& row = *code.row;
     std::string key = code_of(code);
-    const bool names_words = row.says != RowStatement::takes_only && row.says != RowStatement::refused;
+    const bool must_not_precede = row.says == RowStatement::precedes && row.others.empty();
+    const bool names_words = row.says != RowStatement::takes_only && row.says != RowStatement::refused &&
+                             row.says != RowStatement::precedes;
     if (!row.words.empty() && names_words) key += "." + joined(row.words, "+");
-    if (!row.others.empty() && row.says != RowStatement::precedes) key += "-" + joined(row.others, "+");
-    for (const std::string_view codes : {row.under, row.after})
+    const std::string_view forbidden = row.says == RowStatement::apart ? row.others
+                                       : must_not_precede              ? row.words
+                                                                       : std::string_view();
+    if (!row.others.empty() && row.says != RowStatement::precedes && forbidden.empty())
+        key += "-" + joined(row.others, "+");
+    for (const std::string_view codes : {forbidden, row.under, row.after})
         if (!codes.empty()) key += "-" + std::string(words_of(codes).front());
     for (const std::string_view condition : words_of(row.when))
         key += condition.starts_with('-') ? "-NO" + std::string(condition.substr(1))
