@@ -9,7 +9,6 @@
 
 #include <algorithm>
 #include <iterator>
-#include <string>
 #include <variant>
 
 namespace maclint {
@@ -56,8 +55,8 @@ std::vector<Finding> check_words(const ProgramAnalysis& analysis, std::span<cons
             [&](const PlainRun& run, const auto& take) {
                 if (rule_wants(run.words))
                     take(run.span);
-                else if (const std::string letters = index.letters_wanted(program, run); !letters.empty())
-                    for_each_line_with(letters, program.text, run.span, take); // few lines of CAM output
+                else if (const auto codes = index.codes_wanted(program, run); !codes.empty())
+                    for_each_line_with(codes, program.text, run.span, take); // few lines of CAM output
             },
             [&](const WordSummary& block) { return rule_wants(block) || index.wants_block(block); },
             [&](const BlockView& block, std::span<const Word> words, const WordSummary* summary) {

@@ -4,6 +4,7 @@
 #include "analyzer/dialect/dialect.hpp"
 #include "cli/config/rule_words.hpp"
 #include "rules/words/row_text.hpp"
+#include "rules/words/row_values.hpp"
 #include "rules/words/rule_row.hpp"
 #include "rules/words/section_pages.hpp"
 #include "rules/words/word_list.hpp"
@@ -21,10 +22,6 @@ std::string title_of(const CodePage& page) {
 
 std::string source_of(const CodePage& page, const BookLine& line) {
     return std::string(page.book->source) + ":" + std::to_string(line.line);
-}
-
-bool has_values(const WordRow& row) {
-    return !row.values.empty() || row.least != -book::unbounded || row.most != book::unbounded;
 }
 
 /// "0, 1 or 2; 0 without it".

@@ -2,34 +2,18 @@
 #include "rules/words/book_rows.hpp"
 
 #include "rules/words/code_pages.hpp"
+#include "rules/words/code_places.hpp"
+#include "rules/words/row_values.hpp"
+#include "rules/words/usual_effect.hpp"
 #include "rules/words/word_list.hpp"
 
 #include <algorithm>
 #include <deque>
-#include <map>
 #include <string>
 #include <utility>
 
 namespace maclint {
 namespace {
-
-/// What comes of a row that is not kept, where its line does not say.
-std::string_view usual_effect(RowStatement says) {
-    switch (says) {
-    case RowStatement::needs: return "the code lacks what it works with";
-    case RowStatement::takes_not:
-    case RowStatement::takes_only: return "the manual lists no such word";
-    case RowStatement::excludes: return "each says the same in its own way";
-    case RowStatement::only_with: return "without it the word says nothing";
-    case RowStatement::values: return no_other_value;
-    case RowStatement::whole: return "it counts";
-    case RowStatement::alone: return "it is programmed in a block of its own";
-    case RowStatement::apart: return "the control takes one of them";
-    case RowStatement::precedes: return "it acts on that block";
-    case RowStatement::refused: return "the manual gives it no place there";
-    }
-    return {};
-}
 
 /// Keeps what rows point to.
 class Writer {
@@ -56,27 +40,13 @@ class Writer {
         tables_.push_back({.language = language, .sections = sections, .rows = rows_.back()});
     }
 
-    /// Where the codes of a language have no place: in the sections of other codes that are not theirs.
+    /// Where the codes of a language have no place.
     std::vector<WordRow> rows_of_places(std::string_view language) {
-        std::vector<std::string_view> all;
-        std::map<std::string_view, std::vector<const CodePage*>> pages_of;
-        for (const CodePage& page : all_code_pages()) {
-            if (page.book->language != language) continue;
-            for (const std::string_view section : words_of(page.sections()))
-                if (std::ranges::find(all, section) == all.end()) all.push_back(section);
-            for (const std::string_view code : words_of(page.head->row.code)) pages_of[code].push_back(&page);
-        }
         std::vector<WordRow> rows;
-        for (const auto& [code, pages] : pages_of) {
-            std::string elsewhere;
-            for (const std::string_view section : all)
-                if (std::ranges::none_of(
-                        pages, [&](const CodePage* page) { return has_word(page->sections(), section); }))
-                    elsewhere.append(elsewhere.empty() ? "" : " ").append(section);
-            if (elsewhere.empty()) continue;
-            WordRow row = on_page(*pages.front(), *pages.front()->head, RowStatement::refused);
-            row.code = code;
-            row.sections = kept(std::move(elsewhere));
+        for (PlacelessCode& code : codes_without_place(language)) {
+            WordRow row = on_page(*code.page, *code.page->head, RowStatement::refused);
+            row.code = code.code;
+            row.sections = kept(std::move(code.sections));
             row.severity = Severity::error;
             rows.push_back(row);
         }
@@ -141,13 +111,10 @@ class Writer {
         rows.push_back(row);
     }
 
-    static bool has_values(const WordRow& row) {
-        return !row.values.empty() || row.least != -book::unbounded || row.most != book::unbounded;
-    }
     static void clear_values(WordRow& row) {
         row.values = {};
-        row.least = -book::unbounded;
-        row.most = book::unbounded;
+        row.least = -unbounded;
+        row.most = unbounded;
         row.above_least = row.below_most = false;
     }
 

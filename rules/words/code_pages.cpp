@@ -2,6 +2,7 @@
 #include "rules/words/code_pages.hpp"
 
 #include "analyzer/dialect/ascii.hpp"
+#include "analyzer/program/tables.hpp"
 #include "rules/words/word_list.hpp"
 
 #include <algorithm>
@@ -68,8 +69,10 @@ bool has_all_codes(std::string_view language) {
                                [&](const CodeBook* book) { return book->language == language; });
 }
 
-bool has_code_page(std::string_view language, char letter, double code) {
-    return index().contains({language, letter, code});
+bool has_all_codes(const ControlModel& control) { return has_all_codes(control.language); }
+
+bool has_code_page(const ControlModel& control, char letter, double code) {
+    return index().contains({control.language, letter, code});
 }
 
 } // namespace maclint

@@ -27,9 +27,10 @@ struct CodePage {
 [[nodiscard]] std::span<const CodePage> all_code_pages();
 /// Those of one code, "G83", written as users do ("g083"); empty: no chapter has it.
 [[nodiscard]] std::vector<const CodePage*> pages_of_code(std::string_view language, std::string_view code);
-/// Whether a chapter of the language has the code, wherever it may stand.
-[[nodiscard]] bool has_code_page(std::string_view language, char letter, double code);
+/// Whether a chapter of the control's language has the code, wherever it may stand.
+[[nodiscard]] bool has_code_page(const ControlModel& control, char letter, double code);
 /// Whether the chapters hold all G codes that the language's manual knows.
 [[nodiscard]] bool has_all_codes(std::string_view language);
+[[nodiscard]] bool has_all_codes(const ControlModel& control);
 
 } // namespace maclint

@@ -1,11 +1,11 @@
 //! A block with a code, and words beside it as its rows want them.
 #pragma once
 
+#include "rules/words/example_words.hpp"
 #include "rules/words/rule_row.hpp"
 
 #include <string>
 #include <string_view>
-#include <utility>
 #include <vector>
 
 namespace maclint {
@@ -25,16 +25,14 @@ class ExampleBlock {
     [[nodiscard]] std::string text_that_keeps(const WordRow& row) const;
 
   private:
-    using Words = std::vector<std::pair<std::string, std::string>>;
-
-    [[nodiscard]] Words words(const WordRow* about, bool kept) const;
-    void begin_with(Words& words, const WordRow& row, bool kept) const;
-    bool mend(Words& words, const WordRow& row, std::string_view avoided) const;
-    [[nodiscard]] bool forbids(const Words& words, std::string_view address) const;
-    void add(Words& words, std::string_view address) const;
+    [[nodiscard]] ExampleWords words(const WordRow* about, bool kept) const;
+    void begin_with(ExampleWords& words, const WordRow& row, bool kept) const;
+    bool mend(ExampleWords& words, const WordRow& row, std::string_view avoided) const;
+    [[nodiscard]] bool forbids(const ExampleWords& words, std::string_view address) const;
+    void add(ExampleWords& words, std::string_view address) const;
     [[nodiscard]] std::string value_of(std::string_view address) const;
     [[nodiscard]] std::string foreign_word() const;
-    [[nodiscard]] std::string written(const Words& words) const;
+    [[nodiscard]] std::string written(const ExampleWords& words) const;
 
     std::string_view language_;
     std::string code_;

@@ -5,7 +5,8 @@
 #include "analyzer/program/tables.hpp"
 #include "rules/words/code_pages.hpp"
 #include "rules/words/row_of_block.hpp"
-#include "rules/words/row_text.hpp"
+#include "rules/words/row_place.hpp"
+#include "rules/words/scanned.hpp"
 #include "rules/words/word_list.hpp"
 
 #include <algorithm>
@@ -25,46 +26,13 @@ std::int64_t code_number(char letter, double code) {
     return std::llround(code * decimals) * letters + static_cast<unsigned char>(letter);
 }
 
-/// Whether the code says the same wherever it stands.
-bool has_one_page(std::string_view language, const RowForCode& row) {
-    return pages_of_code(language, code_of(row)).size() == 1;
-}
-
-/// `sections`: names with blanks between them; empty: any.
-bool stands_in(std::string_view sections, std::string_view section) {
-    std::string name(section);
-    std::ranges::replace(name, ' ', '_');
-    return sections.empty() || has_word(sections, name);
-}
-
-/// In either case.
-void add_letter(std::string& letters, char letter) {
-    letters += {letter, static_cast<char>(letter - 'A' + 'a')};
-}
-
-/// By which scanning knows the code.
-syntax::CodeSet::Kind kind_of(const syntax::PlainTables* tables, const RowForCode& row) {
-    const std::size_t which = row.letter == 'G' ? 0 : 1;
-    if (tables == nullptr) return syntax::CodeSet::kind_of(which, static_cast<std::uint64_t>(row.code));
-    const syntax::PlainCodes& codes = tables->codes[which];
-    const double steps = std::pow(10.0, codes.decimals);
-    const auto place = static_cast<std::size_t>(std::llround(row.code * steps));
-    return place < codes.rows.size() ? codes.rows[place].kind
-                                     : syntax::CodeSet::kind_of(which, static_cast<std::uint64_t>(row.code));
-}
-
-bool holds(const RowForCode& code, const ControlModel& control, std::string_view section) {
-    const WordTable& table = *code.table;
-    const WordRow& row = *code.row;
-    if (table.language != control.language || (table.machine && *table.machine != control.machine))
-        return false;
-    if (!row.controls.empty() && !has_word(row.controls, control.name) &&
-        !has_word(row.controls, control.model))
-        return false;
-    const std::string_view sections = row.sections.empty() ? table.sections : row.sections;
-    if (section == unknown_section && !sections.empty())
-        return row.says != RowStatement::refused && has_one_page(table.language, code);
-    return stands_in(sections, section);
+void add_code(std::vector<LetterCodes>& codes, const RowForCode& row) {
+    auto place = std::ranges::find(codes, row.letter, &LetterCodes::letter);
+    if (place == codes.end()) place = codes.insert(place, {row.letter, {}});
+    if (row.code < CodeNumbers::capacity)
+        place->codes.add(row.code);
+    else
+        place->codes.add_beyond();
 }
 
 /// The number of the code that the word is; -1 where it is none.
@@ -72,25 +40,6 @@ std::int64_t code_number(const Word& word) {
     const auto* literal = std::get_if<Literal>(&word.value);
     return literal == nullptr || word.address.size() != 1 ? -1
                                                           : code_number(word.address.front(), literal->value);
-}
-
-/// The addresses of the list that scanning tells apart.
-syntax::AddressSet surely(const syntax::PlainTables& tables, std::string_view list) {
-    syntax::AddressSet set;
-    for (std::size_t id = 0; id < tables.names.size(); ++id)
-        if (!tables.names[id].empty() && has_word(list, tables.names[id]))
-            set.add(static_cast<syntax::AddressId>(id));
-    return set;
-}
-
-/// And those that have no name, among which one of the list may be that has no number of its own.
-syntax::AddressSet maybe(const syntax::PlainTables& tables, std::string_view list) {
-    syntax::AddressSet set = surely(tables, list);
-    const auto words = words_of(list);
-    if (set.size() == static_cast<int>(words.size())) return set;
-    for (std::size_t id = 0; id < tables.names.size(); ++id)
-        if (tables.names[id].empty()) set.add(static_cast<syntax::AddressId>(id));
-    return set;
 }
 
 /// Whether the row can be wrong in one of several blocks with its code: `any` are the addresses of all of
@@ -119,20 +68,20 @@ RowIndex::RowIndex(const ControlModel& control, std::string_view section, const 
     for (const RuleRow* rule_row : rows) {
         if (!applies_to(*rule_row->rule, control)) continue;
         for (const RowForCode& row : rule_row->rows) {
-            if (!holds(row, control, section)) continue;
+            if (!holds_in(row, control, section)) continue;
             Entry entry{rule_row, &row, code_number(row.letter, row.code), {}, {}, {}, {}};
             if (tables != nullptr) {
-                entry.words = surely(*tables, row.row->words);
+                entry.words = scanned_surely(*tables, row.row->words);
                 if (row.row->says == RowStatement::takes_only)
-                    entry.words.add(surely(*tables, any_code_takes));
-                entry.others = surely(*tables, row.row->others);
-                entry.maybe_words = maybe(*tables, row.row->words);
-                entry.maybe_others = maybe(*tables, row.row->others);
+                    entry.words.add(scanned_surely(*tables, any_code_takes));
+                entry.others = scanned_surely(*tables, row.row->others);
+                entry.maybe_words = scanned_maybe(*tables, row.row->words);
+                entry.maybe_others = scanned_maybe(*tables, row.row->others);
             }
             entries_.push_back(entry);
-            const auto kind = kind_of(tables, row);
+            const auto kind = scanned_kind(tables, row);
             codes_.add(kind);
-            if (letters_.find(row.letter) == std::string::npos) add_letter(letters_, row.letter);
+            add_code(all_codes_, row);
             by_kind_[kind].push_back(entry);
         }
     }
@@ -148,17 +97,15 @@ RowIndex::RowIndex(const ControlModel& control, std::string_view section, const 
     }
 }
 
-std::string RowIndex::letters_wanted(const Program& program, const PlainRun& run) const {
+std::vector<LetterCodes> RowIndex::codes_wanted(const Program& program, const PlainRun& run) const {
     if (!run.words.codes.meets(codes_)) return {};
-    if (run.beside_codes.count == 0) return letters_;
-    std::string letters;
+    if (run.beside_codes.count == 0) return all_codes_;
+    std::vector<LetterCodes> wanted;
     for (const CodeWords& beside :
          std::span(program.code_words).subspan(run.beside_codes.first, run.beside_codes.count))
         for (const Entry& entry : by_kind_[beside.kind])
-            if (letters.find(entry.row->letter) == std::string::npos &&
-                can_be_wrong(entry, beside.any, beside.all))
-                add_letter(letters, entry.row->letter);
-    return letters;
+            if (can_be_wrong(entry, beside.any, beside.all)) add_code(wanted, *entry.row);
+    return wanted;
 }
 
 bool RowIndex::wants_block(const WordSummary& block) const {

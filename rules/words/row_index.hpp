@@ -1,6 +1,7 @@
 //! The rows that can hold in a section of a control's programs, by their codes, and which blocks they want.
 #pragma once
 
+#include "analyzer/program/lines_with.hpp"
 #include "analyzer/program/model.hpp"
 #include "rules/words/rule_row.hpp"
 
@@ -13,10 +14,6 @@
 #include <vector>
 
 namespace maclint {
-
-/// For the section of a program that names none, in a language that has sections: only what a code says
-/// everywhere holds there.
-inline constexpr std::string_view unknown_section = "?";
 
 class RowIndex {
   public:
@@ -35,8 +32,8 @@ class RowIndex {
              std::span<const RuleRow* const> rows);
 
     [[nodiscard]] bool empty() const { return entries_.empty(); }
-    /// Letters, in either case, of the codes whose rows can be wrong in one of the run's blocks: "Gg".
-    [[nodiscard]] std::string letters_wanted(const Program& program, const PlainRun& run) const;
+    /// The codes whose rows can be wrong in one of the run's blocks.
+    [[nodiscard]] std::vector<LetterCodes> codes_wanted(const Program& program, const PlainRun& run) const;
     /// Whether a row can be wrong in a block of which this is known.
     [[nodiscard]] bool wants_block(const WordSummary& block) const;
     /// The rows of the code that the word is; none where it is none.
@@ -47,9 +44,9 @@ class RowIndex {
     [[nodiscard]] bool knows_codes() const { return !words_of_codes_.empty(); }
 
   private:
-    std::vector<Entry> entries_; ///< by code
-    std::string letters_;
-    syntax::CodeSet codes_; ///< of all entries
+    std::vector<Entry> entries_;         ///< by code
+    std::vector<LetterCodes> all_codes_; ///< of all entries
+    syntax::CodeSet codes_;              ///< the same
     std::array<std::vector<Entry>, syntax::CodeSet::capacity> by_kind_;
     std::map<std::int64_t, std::vector<std::string_view>> words_of_codes_;
 };

@@ -2,6 +2,7 @@
 #include "rules/words/row_indexes.hpp"
 
 #include "analyzer/program/tables.hpp"
+#include "rules/words/row_place.hpp"
 
 #include <algorithm>
 

@@ -2,8 +2,8 @@
 #include "rules/words/row_text.hpp"
 
 #include "rules/path.hpp"
-#include "rules/words/book_rows.hpp"
 #include "rules/words/row_condition.hpp"
+#include "rules/words/usual_effect.hpp"
 #include "rules/words/word_list.hpp"
 
 #include <algorithm>
@@ -49,6 +49,9 @@ std::string condition_of(const WordRow& row) {
     std::string text = row.under.empty() ? "" : "Under " + either_of(row.under) + ": ";
     if (!row.when.empty()) text += conditions_in_words(row.when) + ": ";
     if (!row.after.empty()) text += "After " + either_of(row.after) + ": ";
+    if (!row.unless_next.empty())
+        text += "Unless a block with " + std::string(words_of(row.unless_next).front()) +
+                " or the like follows: ";
     return text;
 }
 

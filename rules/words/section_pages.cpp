@@ -2,6 +2,7 @@
 #include "rules/words/section_pages.hpp"
 
 #include "analyzer/dialect/ascii.hpp"
+#include "analyzer/program/tables.hpp"
 #include "rules/words/word_list.hpp"
 
 #include <algorithm>
@@ -42,11 +43,11 @@ std::vector<CodePage> pages_named(std::string_view language, std::string_view na
     return pages;
 }
 
-std::optional<SectionPage> page_of_section(std::string_view language, std::string_view kind) {
+std::optional<SectionPage> page_of_section(const ControlModel& control, std::string_view kind) {
     std::string name(kind);
     std::ranges::replace(name, ' ', '_');
     for (const CodeBook* book : all_section_books()) {
-        if (book->language != language) continue;
+        if (book->language != control.language) continue;
         for (const CodePage& page : pages_of(*book))
             if (has_word(page.head->row.code, name))
                 return SectionPage{std::string(kind), page.lines, is_information(name)};

@@ -21,7 +21,7 @@ struct SectionPage {
 };
 
 /// `kind`: a name of ControlModel::sections. Nothing: the manual says nothing of its words.
-[[nodiscard]] std::optional<SectionPage> page_of_section(std::string_view language, std::string_view kind);
+[[nodiscard]] std::optional<SectionPage> page_of_section(const ControlModel& control, std::string_view kind);
 
 /// The pages of a code or of a section, as users write them: "g0860", "face_c", "CHUCKING EQUIPMENT".
 [[nodiscard]] std::vector<CodePage> pages_named(std::string_view language, std::string_view name);

@@ -1,5 +1,5 @@
 //! DIN PLUS: contour of the part. Numbers are lines of the manual.
-#include "rules/words/code_book.hpp"
+#include "rules/words/book_lines.hpp"
 
 namespace maclint::code_books {
 namespace {

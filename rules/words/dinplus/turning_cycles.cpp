@@ -1,5 +1,5 @@
 //! DIN PLUS: turning cycles. Numbers are lines of the manual.
-#include "rules/words/code_book.hpp"
+#include "rules/words/book_lines.hpp"
 #include "rules/words/dinplus/codes.hpp"
 
 namespace maclint::code_books {

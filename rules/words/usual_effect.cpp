@@ -1,0 +1,23 @@
+//! A clause for each statement.
+#include "rules/words/usual_effect.hpp"
+
+namespace maclint {
+
+std::string_view usual_effect(RowStatement says) {
+    switch (says) {
+    case RowStatement::needs: return "the code lacks what it works with";
+    case RowStatement::takes_not:
+    case RowStatement::takes_only: return "the manual lists no such word";
+    case RowStatement::excludes: return "each says the same in its own way";
+    case RowStatement::only_with: return "without it the word says nothing";
+    case RowStatement::values: return no_other_value;
+    case RowStatement::whole: return "it counts";
+    case RowStatement::alone: return "it is programmed in a block of its own";
+    case RowStatement::apart: return "the control takes one of them";
+    case RowStatement::precedes: return "it acts on that block";
+    case RowStatement::refused: return "the manual gives it no place there";
+    }
+    return {};
+}
+
+} // namespace maclint
