@@ -143,11 +143,10 @@ constexpr BookLine lines[] = {
 
 } // namespace
 
-extern const CodeBook dinplus_c_axis{
-    .language = "dinplus",
-    .chapter = "C axis",
-    .source = "SEED-003",
-    .sections = "MACHINING SUBPROGRAM",
-    .lines = lines};
+extern const CodeBook dinplus_c_axis{.language = "dinplus",
+                                     .chapter = "C axis",
+                                     .source = "SEED-003",
+                                     .sections = "MACHINING SUBPROGRAM",
+                                     .lines = lines};
 
 } // namespace maclint::code_books

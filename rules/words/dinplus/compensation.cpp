@@ -82,11 +82,10 @@ constexpr BookLine lines[] = {
 
 } // namespace
 
-extern const CodeBook dinplus_compensation{
-    .language = "dinplus",
-    .chapter = "compensation, zero shifts and oversizes",
-    .source = "SEED-003",
-    .sections = "MACHINING SUBPROGRAM",
-    .lines = lines};
+extern const CodeBook dinplus_compensation{.language = "dinplus",
+                                           .chapter = "compensation, zero shifts and oversizes",
+                                           .source = "SEED-003",
+                                           .sections = "MACHINING SUBPROGRAM",
+                                           .lines = lines};
 
 } // namespace maclint::code_books

@@ -183,11 +183,10 @@ constexpr BookLine lines[] = {
 
 } // namespace
 
-extern const CodeBook dinplus_drilling{
-    .language = "dinplus",
-    .chapter = "drilling and patterns",
-    .source = "SEED-003",
-    .sections = "MACHINING SUBPROGRAM",
-    .lines = lines};
+extern const CodeBook dinplus_drilling{.language = "dinplus",
+                                       .chapter = "drilling and patterns",
+                                       .source = "SEED-003",
+                                       .sections = "MACHINING SUBPROGRAM",
+                                       .lines = lines};
 
 } // namespace maclint::code_books

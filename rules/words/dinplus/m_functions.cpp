@@ -56,11 +56,10 @@ constexpr BookLine lines[] = {
 
 } // namespace
 
-extern const CodeBook dinplus_m_functions{
-    .language = "dinplus",
-    .chapter = "M functions",
-    .source = "SEED-003",
-    .sections = "MACHINING SUBPROGRAM",
-    .lines = lines};
+extern const CodeBook dinplus_m_functions{.language = "dinplus",
+                                          .chapter = "M functions",
+                                          .source = "SEED-003",
+                                          .sections = "MACHINING SUBPROGRAM",
+                                          .lines = lines};
 
 } // namespace maclint::code_books

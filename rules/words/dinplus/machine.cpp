@@ -203,11 +203,10 @@ constexpr BookLine lines[] = {
 
 } // namespace
 
-extern const CodeBook dinplus_machine{
-    .language = "dinplus",
-    .chapter = "planes, slides, spindles and the machine",
-    .source = "SEED-003",
-    .sections = "MACHINING SUBPROGRAM",
-    .lines = lines};
+extern const CodeBook dinplus_machine{.language = "dinplus",
+                                      .chapter = "planes, slides, spindles and the machine",
+                                      .source = "SEED-003",
+                                      .sections = "MACHINING SUBPROGRAM",
+                                      .lines = lines};
 
 } // namespace maclint::code_books

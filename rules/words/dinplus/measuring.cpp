@@ -377,11 +377,10 @@ constexpr BookLine lines[] = {
 
 } // namespace
 
-extern const CodeBook dinplus_measuring{
-    .language = "dinplus",
-    .chapter = "measuring",
-    .source = "SEED-003",
-    .sections = "MACHINING SUBPROGRAM",
-    .lines = lines};
+extern const CodeBook dinplus_measuring{.language = "dinplus",
+                                        .chapter = "measuring",
+                                        .source = "SEED-003",
+                                        .sections = "MACHINING SUBPROGRAM",
+                                        .lines = lines};
 
 } // namespace maclint::code_books

@@ -384,11 +384,10 @@ constexpr BookLine lines[] = {
 
 } // namespace
 
-extern const CodeBook dinplus_milling{
-    .language = "dinplus",
-    .chapter = "milling and engraving",
-    .source = "SEED-003",
-    .sections = "MACHINING SUBPROGRAM",
-    .lines = lines};
+extern const CodeBook dinplus_milling{.language = "dinplus",
+                                      .chapter = "milling and engraving",
+                                      .source = "SEED-003",
+                                      .sections = "MACHINING SUBPROGRAM",
+                                      .lines = lines};
 
 } // namespace maclint::code_books

@@ -184,11 +184,10 @@ constexpr BookLine lines[] = {
 
 } // namespace
 
-extern const CodeBook dinplus_moves_and_feeds{
-    .language = "dinplus",
-    .chapter = "moves, feeds and speeds",
-    .source = "SEED-003",
-    .sections = "MACHINING SUBPROGRAM",
-    .lines = lines};
+extern const CodeBook dinplus_moves_and_feeds{.language = "dinplus",
+                                              .chapter = "moves, feeds and speeds",
+                                              .source = "SEED-003",
+                                              .sections = "MACHINING SUBPROGRAM",
+                                              .lines = lines};
 
 } // namespace maclint::code_books

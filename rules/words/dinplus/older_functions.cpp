@@ -89,11 +89,10 @@ constexpr BookLine lines[] = {
 
 } // namespace
 
-extern const CodeBook dinplus_older_functions{
-    .language = "dinplus",
-    .chapter = "functions of older controls",
-    .source = "SEED-003",
-    .sections = "MACHINING SUBPROGRAM",
-    .lines = lines};
+extern const CodeBook dinplus_older_functions{.language = "dinplus",
+                                              .chapter = "functions of older controls",
+                                              .source = "SEED-003",
+                                              .sections = "MACHINING SUBPROGRAM",
+                                              .lines = lines};
 
 } // namespace maclint::code_books

@@ -185,11 +185,10 @@ constexpr BookLine lines[] = {
 
 } // namespace
 
-extern const CodeBook dinplus_threads_and_undercuts{
-    .language = "dinplus",
-    .chapter = "threads and undercuts",
-    .source = "SEED-003",
-    .sections = "MACHINING SUBPROGRAM",
-    .lines = lines};
+extern const CodeBook dinplus_threads_and_undercuts{.language = "dinplus",
+                                                    .chapter = "threads and undercuts",
+                                                    .source = "SEED-003",
+                                                    .sections = "MACHINING SUBPROGRAM",
+                                                    .lines = lines};
 
 } // namespace maclint::code_books

@@ -310,11 +310,10 @@ constexpr BookLine lines[] = {
 
 } // namespace
 
-extern const CodeBook dinplus_turning_cycles{
-    .language = "dinplus",
-    .chapter = "turning cycles",
-    .source = "SEED-003",
-    .sections = "MACHINING SUBPROGRAM",
-    .lines = lines};
+extern const CodeBook dinplus_turning_cycles{.language = "dinplus",
+                                             .chapter = "turning cycles",
+                                             .source = "SEED-003",
+                                             .sections = "MACHINING SUBPROGRAM",
+                                             .lines = lines};
 
 } // namespace maclint::code_books
