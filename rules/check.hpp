@@ -35,17 +35,17 @@ struct WordCheck {
 
 /// What a row of the table of words says of the words that it names, in a block that holds its code.
 enum class RowStatement : std::uint8_t {
-    needs,     ///< one of them stands there
-    takes_not, ///< none of them does
+    needs,      ///< one of them stands there
+    takes_not,  ///< none of them does
     takes_only, ///< no others do, but those that another code of the block takes
-    excludes,  ///< none of them stands beside one of the others
-    only_with, ///< they stand beside one of the others only
-    values,    ///< their values lie within the bounds, or in the list
-    whole,     ///< their values are written without a point
-    alone,     ///< no word but them stands beside the code
-    apart,     ///< the code stands beside none of the other codes
-    precedes,  ///< the next block holds one of the other codes
-    refused,   ///< the code does not stand at all where the row holds: under another code, in a section
+    excludes,   ///< none of them stands beside one of the others
+    only_with,  ///< they stand beside one of the others only
+    values,     ///< their values lie within the bounds, or in the list
+    whole,      ///< their values are written without a point
+    alone,      ///< no word but them stands beside the code
+    apart,      ///< the code stands beside none of the other codes
+    precedes,   ///< the next block holds one of the other codes
+    refused,    ///< the code does not stand at all where the row holds: under another code, in a section
 };
 
 /// Looks at the rows that say the same, one at a time, in the blocks where it holds;

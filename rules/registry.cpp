@@ -26,6 +26,8 @@
     RULE(unreadable_block)                      /* MAC121 */ \
     RULE(unreached_text)                        /* MAC122 */ \
     RULE(assignment_to_null_variable)           /* MAC201 */ \
+    RULE(variable_number_out_of_range)          /* MAC202 */ \
+    RULE(write_to_read_only_variable)           /* MAC203 */ \
     RULE(double_hash)                           /* MAC206 */ \
     RULE(uninitialised_local)                   /* MAC209 */ \
     RULE(argument_not_passed)                   /* MAC210 */ \
@@ -122,31 +124,77 @@
     RULE(missing_tolerance)                     /* MAC726 */ \
     RULE(block_number_too_long)                  /* DIN004 */ \
     RULE(block_must_be_alone)                    /* DIN008 */ \
-    RULE(foreign_comment_style)                 /* DIN013 */ \
+    RULE(foreign_comment_style)                  /* DIN013 */ \
+    RULE(param_description_unbalanced)           /* DIN014 */ \
     RULE(unit_unbalanced)                        /* DIN015 */ \
+    RULE(block_group_unbalanced)                 /* DIN016 */ \
+    RULE(value_with_blank)                       /* DIN018 */ \
+    RULE(number_out_of_format)                   /* DIN019 */ \
+    RULE(skip_level_outside_machining)           /* DIN020 */ \
     RULE(missing_machining)                      /* DIN101 */ \
     RULE(missing_end)                            /* DIN102 */ \
     RULE(content_after_end)                      /* DIN103 */ \
+    RULE(localized_section_word)                 /* DIN104 */ \
     RULE(section_order)                          /* DIN105 */ \
     RULE(section_repeated)                       /* DIN106 */ \
     RULE(section_parameter)                      /* DIN109 */ \
+    RULE(turret_and_magazine)                    /* DIN115 */ \
+    RULE(duplicate_tool_pocket)                  /* DIN117 */ \
+    RULE(tool_not_in_turret)                     /* DIN118 */ \
+    RULE(tool_edge_range)                        /* DIN119 */ \
+    RULE(converted_leftovers)                    /* DIN123 */ \
+    RULE(reserved_global)                        /* DIN303 */ \
+    RULE(string_number_mismatch)                 /* DIN305 */ \
+    RULE(integer_global_fraction)                /* DIN306 */ \
+    RULE(integer_overflow)                       /* DIN307 */ \
+    RULE(name_rule)                              /* DIN308 */ \
+    RULE(const_before_definition)                /* DIN309 */ \
+    RULE(const_var_after_machining)              /* DIN310 */ \
+    RULE(const_reassigned)                       /* DIN311 */ \
+    RULE(undeclared_name)                        /* DIN312 */ \
+    RULE(var_alias_collision)                    /* DIN314 */ \
+    RULE(index_is_expression)                    /* DIN315 */ \
+    RULE(calc_without_slide)                     /* DIN319 */ \
+    RULE(bitset_range)                           /* DIN321 */ \
+    RULE(window_range)                           /* DIN322 */ \
     RULE(def_with_hash)                          /* DIN323 */ \
     RULE(assign_vs_compare)                      /* DIN326 */ \
+    RULE(input_not_variable)                     /* DIN329 */ \
     RULE(transfer_value_unchecked)               /* DIN330 */ \
     RULE(transfer_value_unknown)                 /* DIN331 */ \
+    RULE(plc_variable_type)                      /* DIN333 */ \
+    RULE(function_arguments)                     /* DIN335 */ \
+    RULE(unknown_selector)                       /* DIN336 */ \
+    RULE(unknown_internal_constant)              /* DIN337 */ \
+    RULE(other_vacancy_test)                     /* DIN338 */ \
     RULE(if_unbalanced)                          /* DIN401 */ \
     RULE(then_missing)                           /* DIN402 */ \
+    RULE(too_many_conditions)                    /* DIN403 */ \
     RULE(while_unbalanced)                       /* DIN404 */ \
     RULE(loop_variable_uninitialised)            /* DIN407 */ \
     RULE(switch_unbalanced)                      /* DIN409 */ \
     RULE(case_without_break)                     /* DIN410 */ \
-    RULE(duplicate_case)                        /* DIN411 */ \
+    RULE(duplicate_case)                         /* DIN411 */ \
+    RULE(default_position)                       /* DIN412 */ \
+    RULE(switch_not_variable)                    /* DIN413 */ \
     RULE(m99_target)                             /* DIN415 */ \
+    RULE(condition_without_comparison)           /* DIN422 */ \
+    RULE(v1_on_local)                            /* DIN504 */ \
+    RULE(return_in_main)                         /* DIN507 */ \
+    RULE(sub_name_length)                        /* DIN509 */ \
+    RULE(duplicate_sub)                          /* DIN510 */ \
+    RULE(too_many_transfer_values)               /* DIN511 */ \
+    RULE(unknown_transfer_letter)                /* DIN512 */ \
+    RULE(param_description_limits)               /* DIN514 */ \
+    RULE(ln_misuse)                              /* DIN515 */ \
+    RULE(repeat_count)                           /* DIN516 */ \
     RULE(state_leak_from_sub)                    /* DIN519 */ \
     RULE(radius_comp_not_cancelled)              /* DIN619 */ \
     RULE(g16_not_reset)                          /* DIN632 */ \
     RULE(g920_not_reset)                         /* DIN634 */ \
     RULE(contour_reference_missing)              /* DIN704 */ \
+    RULE(sync_mark_unmatched)                    /* DIN902 */ \
+    RULE(slide_not_in_head)                      /* DIN905 */ \
     RULE(g30_left_active)                        /* DIN906 */
 // clang-format on
 

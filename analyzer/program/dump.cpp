@@ -199,6 +199,13 @@ std::string_view name_of(SyntaxErrorKind syntax_error) {
                                                  "long-program-name",
                                                  "description-unbalanced",
                                                  "wrong-description",
+                                                 "doubled-alias",
+                                                 "group-unbalanced",
+                                                 "section-of-other-language",
+                                                 "slide-not-in-head",
+                                                 "blank-in-variable",
+                                                 "number-too-long",
+                                                 "no-condition",
                                                  "converted-leftover",
                                                  "unreadable"};
     static_assert(std::size(names) == static_cast<std::size_t>(SyntaxErrorKind::unreadable) + 1);

@@ -85,6 +85,13 @@ enum class SyntaxErrorKind : std::uint8_t {
     long_program_name,           ///< subject: the name; cure: how many characters it may have
     description_unbalanced,      ///< `[//]` that lacks the other one
     wrong_description,           ///< subject: of a transfer value; cure: what is wrong with it
+    doubled_alias,               ///< subject: a name for a variable that has one; cure: the other name
+    group_unbalanced,            ///< BLOCKSTART or BLOCKEND that lacks the other one
+    section_of_other_language,   ///< subject: the word; cure: the one of the other sections' language
+    slide_not_in_head,           ///< subject: a block's slides; cure: those of the program head
+    blank_in_variable,           ///< `# l1`; cure: without it
+    number_too_long,             ///< subject: the number; cure: how many figures there may be
+    no_condition,                ///< `IF #l1`; subject: what stands in its place
     converted_leftover,          ///< subject: a remark that a converter left in the place of a block
     unreadable,                  ///< nothing more exact is known; cure: what was expected
 };

@@ -3,6 +3,10 @@
 
 #include "analyzer/dialect/characters.hpp"
 
+#include <algorithm>
+#include <string>
+#include <variant>
+
 namespace maclint::dinplus {
 namespace {
 
@@ -22,6 +26,14 @@ Channels channels_of_head(const Program& program) {
     return channels;
 }
 
+/// "$1, $2"
+std::string spelled(Channels channels) {
+    std::string list;
+    for (unsigned channel = 0; channel < 10; ++channel)
+        if ((channels & (1U << channel)) != 0) list += (list.empty() ? "$" : ", $") + std::to_string(channel);
+    return list;
+}
+
 } // namespace
 
 Channels channels_in(std::string_view text) {
@@ -32,6 +44,24 @@ Channels channels_in(std::string_view text) {
         marked = c == '$' || (marked && is_digit(c));
     }
     return static_cast<Channels>(channels);
+}
+
+void check_slides(const Program& program, std::vector<SyntaxError>& syntax_errors) {
+    const Channels head = channels_of_head(program);
+    if (head == 0) return;
+    for (const Item& item : program.items) {
+        const auto* block = std::get_if<Block>(&item);
+        if (block == nullptr || (block->channels & ~head) == 0) continue;
+        const auto unknown = static_cast<Channels>(block->channels & ~head);
+        const std::string_view text = program.slice(block->span);
+        const Offset length = static_cast<Offset>(text.find_first_not_of("$0123456789 \t/"));
+        syntax_errors.push_back(
+            {SyntaxErrorKind::slide_not_in_head,
+             {block->span.begin,
+              block->span.begin + std::max<Offset>(1, std::min(length, block->span.length()))},
+             spelled(unknown),
+             spelled(head)});
+    }
 }
 
 void assign_channels(ProgramBuilder& builder) {

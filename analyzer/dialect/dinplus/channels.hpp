@@ -2,8 +2,10 @@
 #pragma once
 
 #include "analyzer/program/builder.hpp"
+#include "analyzer/program/syntax_error.hpp"
 
 #include <string_view>
+#include <vector>
 
 namespace maclint::dinplus {
 
@@ -14,5 +16,8 @@ namespace maclint::dinplus {
 /// `#SLIDE $1$2` of its head, ASSIGNMENT until the next one, and the marks of its blocks
 /// [dinplus.md 2.2 and the heading ASSIGNMENT; l.2999-3015, l.10148]. The program must be complete.
 void assign_channels(ProgramBuilder& builder);
+
+/// Adds blocks that name a slide which the program head does not.
+void check_slides(const Program& program, std::vector<SyntaxError>& syntax_errors);
 
 } // namespace maclint::dinplus

@@ -4,7 +4,9 @@
 #include "analyzer/dialect/ascii.hpp"
 #include "analyzer/dialect/dinplus/channels.hpp"
 #include "analyzer/dialect/dinplus/plain.hpp"
+#include "analyzer/dialect/dinplus/remarks.hpp"
 #include "analyzer/dialect/dinplus/sections.hpp"
+#include "analyzer/dialect/dinplus/value_tables.hpp"
 
 #include <algorithm>
 
@@ -99,6 +101,7 @@ void Programs::open_main(Span line, Offset mark) {
 void Programs::open_section(const SectionWord& word, Span heading) {
     leave_section();
     const SectionKind& kind = kind_of(word);
+    check_language(word, heading);
     if (kind.role == Role::subprogram) {
         open_subprogram(word, heading);
     } else {
@@ -108,6 +111,7 @@ void Programs::open_section(const SectionWord& word, Span heading) {
         if (!declares_names(kind) && program.program().started == Program::Started::unknown &&
             in_capitals(source_.path()).ends_with(".NC"))
             program.set_started(Program::Started::by_hand);
+        open_[main_].knows_all_names = program.program().started == Program::Started::by_hand;
     }
     begin_section(kind, heading);
 }
@@ -122,12 +126,40 @@ void Programs::open_subprogram(const SectionWord& word, Span heading) {
         name = rest.substr(0, rest.find_first_not_of("0123456789"));
     name = trim(name.substr(0, name.find('[')));
     const auto names = inherited(main()); // also when the subprograms stand first
+    const bool knows_all = open_[main_].knows_all_names && !open_[main_].declares_something_unreadable;
     current_ = open_.size();
     OpenProgram& opened = open(std::string(name.empty() ? word.word : name));
     opened.inherited = names;
+    opened.of_main = of_main_;
+    opened.knows_all_names = knows_all;
+    check_length(name);
     opened.builder.set_local();
     opened.builder.set_started(Program::Started::by_call);
     opened.builder.set_name_span(name.empty() ? heading : span_in(source_.bytes(), name));
+}
+
+/// The words of a program are of one language; CONST and VAR are the same in all [dinplus.md 2.2].
+void Programs::check_language(const SectionWord& word, Span heading) {
+    using Use = SectionWord::Use;
+    if (word.use == Use::translated || word.kind == "VAR" || word.kind == "CONST") return;
+    const Use use = word.use == Use::german ? Use::german : Use::english;
+    if (!language_) language_ = use;
+    if (*language_ == use) return;
+    const auto same = std::ranges::find_if(section_words(), [&](const SectionWord& other) {
+        return other.kind == word.kind && other.use == *language_;
+    });
+    const auto length = static_cast<Offset>(word.word.size());
+    const Span span{heading.begin, heading.begin + std::min(length, heading.length())};
+    file_.syntax_errors.push_back({SyntaxErrorKind::section_of_other_language, span,
+                                   std::string(source_.bytes(span)),
+                                   same == section_words().end() ? "" : std::string(same->word)});
+}
+
+/// The name of a local subprogram has at most 40 characters [l.2945].
+void Programs::check_length(std::string_view name) {
+    if (name.size() <= limits::local_name) return;
+    file_.syntax_errors.push_back({SyntaxErrorKind::long_program_name, span_in(source_.bytes(), name),
+                                   std::string(name), std::to_string(limits::local_name)});
 }
 
 /// Names of VAR that stand for variables which all programs share are known in local subprograms, too.
@@ -139,6 +171,7 @@ std::shared_ptr<const VariablesByName> Programs::inherited(const OpenProgram& ma
     for (const auto& alias : main.aliases)
         if (control().spaces[alias.second.space].scope != Scope::frame) names->insert(alias);
     inherited_ = std::move(names);
+    of_main_ = std::make_shared<const VariablesByName>(main.aliases);
     inherited_from_ = main_;
     inherited_of_ = main.aliases.size();
     return inherited_;
@@ -167,12 +200,21 @@ const OpenProgram* Programs::current_if_any() const {
 }
 
 void Programs::leave_section() {
-    if (current_ != nothing) open_[current_].waiting_if.reset();
+    if (current_ == nothing) return;
+    OpenProgram& program = open_[current_];
+    program.waiting_if.reset();
+    for (const Span group : program.groups)
+        file_.syntax_errors.push_back(
+            {SyntaxErrorKind::group_unbalanced, group, std::string(source_.bytes(group)), "BLOCKEND"});
+    program.groups.clear();
 }
 
 void Programs::close() {
+    leave_section();
+    check_remarks(source_, file_.syntax_errors);
     for (OpenProgram& program : open_) {
         if (!program.builder.has_sections()) continue;
+        check_slides(program.builder.program(), file_.syntax_errors);
         assign_channels(program.builder);
         file_.programs.push_back(program.builder.take());
     }

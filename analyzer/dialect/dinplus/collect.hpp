@@ -8,6 +8,7 @@
 
 #include <cstddef>
 #include <memory>
+#include <optional>
 #include <string_view>
 #include <vector>
 
@@ -40,6 +41,8 @@ class Programs {
     void begin_section(const SectionKind& kind, Span heading);
     void leave_section();
     [[nodiscard]] std::shared_ptr<const VariablesByName> inherited(const OpenProgram& main);
+    void check_length(std::string_view name);
+    void check_language(const SectionWord& word, Span heading);
 
     static constexpr std::size_t nothing = SIZE_MAX;
 
@@ -50,8 +53,10 @@ class Programs {
     std::size_t main_ = nothing;
     // What subprograms have inherited last, from which program, and how many names that had declared by then.
     std::shared_ptr<const VariablesByName> inherited_;
+    std::shared_ptr<const VariablesByName> of_main_; ///< all of them
     std::size_t inherited_from_ = nothing, inherited_of_ = 0;
     std::size_t current_ = nothing;
+    std::optional<SectionWord::Use> language_; ///< of the section words so far
 };
 
 } // namespace maclint::dinplus

@@ -62,6 +62,7 @@ void BlockLowering::add_unreadable_return(const Block& head, OpenProgram& progra
 /// What the words of a block may do that could not be read. The IF before it may have found its THEN.
 void BlockLowering::add_names_in(Span block, OpenProgram& program) {
     program.waiting_if.reset();
+    program.declares_something_unreadable |= program.declares;
     if (program.effects) program.builder.add_unreadable(names_in(program, block), block);
 }
 

@@ -71,6 +71,8 @@ void BlockLowering::check_tokens() {
             parents_[c] = &node;
         check_token(node);
         check_form(node);
+        check_value(node);
+        check_statement(node);
     }
 }
 

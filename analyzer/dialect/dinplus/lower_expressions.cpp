@@ -178,8 +178,11 @@ ExpressionId BlockLowering::lower_constant(const Node& node) {
     case Kind::internal_constant: return lower_transfer(node);
     case Kind::constant:
         if (text(node) == "_pi") return literal(pi, span(node));
+        if (is_undeclared(node)) return unreadable(span(node)); // told already
         return add({Load{named_variable(node, spaces::constant)}, span(node)});
-    default: return add({Load{named_variable(node, spaces::named)}, span(node)});
+    default:
+        if (is_undeclared(node)) return unreadable(span(node));
+        return add({Load{named_variable(node, spaces::named)}, span(node)});
     }
 }
 

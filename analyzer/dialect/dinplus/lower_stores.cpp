@@ -33,9 +33,20 @@ bool BlockLowering::declare_alias(const Node& name, const Node& value) {
             if (const auto found = numbered(*inner)) variable = found->variable;
         if (variable) initialise(value, span(value));
     }
-    if (variable) builder_->add_alias(own, *variable);
+    if (variable) {
+        check_alias(name, *variable);
+        builder_->add_alias(own, *variable);
+    }
     if (open_->alias_of(written) == nullptr) open_->aliases.emplace(written, variable.value_or(own));
     return variable.has_value();
+}
+
+/// Two names for one variable: who stores by the one changes the other.
+void BlockLowering::check_alias(const Node& name, Variable variable) {
+    const auto other = std::ranges::find_if(open_->aliases, [&](const auto& alias) {
+        return alias.second == variable && alias.first != name_of(name);
+    });
+    if (other != open_->aliases.end()) report(SyntaxErrorKind::doubled_alias, span(name), '#' + other->first);
 }
 
 /// `#l1(200)` stores 200 in a local variable, which the programs called from here see, too [l.18947,

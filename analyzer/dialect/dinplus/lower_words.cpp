@@ -23,6 +23,14 @@ std::string_view BlockLowering::address_of(const Node& node) const {
     return written.substr(0, static_cast<std::size_t>(end - written.begin()));
 }
 
+/// The number of a word that is no calculation.
+std::optional<double> BlockLowering::number_of_word(const Node& node) const {
+    if (kind_of(node) == Kind::literal_word)
+        return read_number(text(node).substr(address_of(node).size())).value;
+    const Node* value = kind_of(node) == Kind::word ? child(node, Field::value) : nullptr;
+    return value == nullptr ? std::nullopt : plain_number(*value);
+}
+
 BlockLowering::NcWord BlockLowering::record_word(const Node& node) {
     NcWord word{address_of(node), &node, std::nullopt, std::nullopt};
     const std::string_view after = text(node).substr(word.address.size());

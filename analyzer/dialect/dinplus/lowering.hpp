@@ -4,6 +4,7 @@
 #include "analyzer/dialect/dinplus/kinds.hpp"
 #include "analyzer/dialect/dinplus/open_program.hpp"
 #include "analyzer/dialect/dinplus/tables.hpp"
+#include "analyzer/dialect/dinplus/value_tables.hpp"
 #include "analyzer/dialect/tree_lowering.hpp"
 #include "analyzer/program/model.hpp"
 
@@ -39,6 +40,7 @@ class BlockLowering : private TreeLowering {
     void lower_statement(const Node& node);
     void lower_assignment(const Node& node);
     bool declare_alias(const Node& name, const Node& value);
+    void check_alias(const Node& name, Variable variable);
     void initialise(const Node& variable, Span span);
     void store(const Node& target, ExpressionId value, Span span);
     void store_elsewhere(const Node& target, ExpressionId value, Span span);
@@ -62,6 +64,53 @@ class BlockLowering : private TreeLowering {
     void check_comparison(const Node& node);
     void check_capitals(const Node& node);
 
+    // ---- what values hold (lower_types.cpp)
+    /// A variable as it is written; without a number where another variable gives it.
+    struct Written {
+        char letter;
+        std::optional<std::int64_t> number;
+    };
+    [[nodiscard]] std::optional<Written> written(const Node& place) const;
+    [[nodiscard]] Holds holds(const Node& value) const;
+    [[nodiscard]] Holds variable_holds(const Node& place) const;
+    [[nodiscard]] Holds name_holds(const Node& name) const;
+    [[nodiscard]] Holds sum_holds(const Node& binary) const;
+    [[nodiscard]] std::string_view name_of(const Node& name) const;
+    [[nodiscard]] std::optional<double> plain_number(const Node& value) const;
+
+    // ---- names (lower_names.cpp)
+    [[nodiscard]] bool is_defined_here(const Node& name) const;
+    [[nodiscard]] bool is_undeclared(const Node& name) const;
+    void check_name(const Node& node);
+    void check_spelling(const Node& node);
+    void check_internal_constant(const Node& node);
+    void check_vacancy_test(const Node& node);
+
+    // ---- what variables and functions hold and take (lower_values.cpp)
+    void check_value(const Node& node);
+    void check_variable(const Node& node);
+    void check_blanks(const Node& node);
+    void check_figures(const Node& number);
+    void check_selector(const Node& node);
+    void check_index(const Node& node);
+    void check_function(const Node& node);
+    void check_bits(const Node& bit, const Node& value);
+    void check_mixture(const Node& node);
+    void check_assignment(const Node& node);
+    void check_target(const Node& target);
+    void check_whole(const Node& target, const Node& value);
+
+    // ---- what statements may hold (lower_limits.cpp)
+    void check_statement(const Node& node);
+    void check_conditions(const Node& statement);
+    void check_selection(const Node& statement);
+    void check_output(const Node& statement);
+    void check_input(const Node& statement, const Nodes& arguments);
+    void check_window(const Node& statement, const Nodes& arguments);
+    void check_call(const Node& call);
+    void check_argument(const Node& word, std::string_view address);
+    void check_group(const Node& node);
+
     // ---- words (lower_words.cpp)
     /// A word on its way to its effects.
     struct NcWord {
@@ -72,6 +121,7 @@ class BlockLowering : private TreeLowering {
     };
     [[nodiscard]] NcWord record_word(const Node& node);
     [[nodiscard]] std::string_view address_of(const Node& node) const;
+    [[nodiscard]] std::optional<double> number_of_word(const Node& node) const;
     void lower_words(std::span<const Node* const> nodes);
     void lower_commands(std::span<const NcWord> words, Span span);
     void lower_code(const NcWord& code, std::span<const NcWord> words);

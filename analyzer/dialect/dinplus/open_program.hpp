@@ -28,11 +28,20 @@ struct OpenProgram {
     VariablesByName aliases = {}; ///< VAR: `#_depth=#l1`
     /// Those of the main program that its local subprograms know, too; nullptr: none. They share them.
     std::shared_ptr<const VariablesByName> inherited = {};
-    std::vector<ExpressionId> selections = {}; ///< values of the open SWITCHes
-    std::optional<Span> waiting_if = {};       ///< an IF whose THEN has not come
+    /// All names that the main program declares; nullptr: it is the main program.
+    std::shared_ptr<const VariablesByName> of_main = {};
+    /// No caller can have declared others: it is a main program, or local to one.
+    bool knows_all_names = false;
+    bool declares_something_unreadable = false; ///< in VAR or CONST
+    std::vector<ExpressionId> selections = {};  ///< values of the open SWITCHes
+    std::vector<Span> groups = {};              ///< BLOCKSTARTs without their BLOCKEND so far
+    std::optional<Span> waiting_if = {};        ///< an IF whose THEN has not come
 
     /// The variable that the name stands for; nullptr where nothing has declared it.
     [[nodiscard]] const Variable* alias_of(std::string_view name) const;
+    [[nodiscard]] bool main_declares(std::string_view name) const {
+        return of_main != nullptr && of_main->contains(name);
+    }
 };
 
 } // namespace maclint::dinplus

@@ -372,11 +372,10 @@ constexpr BookLine lines[] = {
 
 } // namespace
 
-extern const CodeBook dinplus_c_contours{
-    .language = "dinplus",
-    .chapter = "contours for the C axis",
-    .source = "SEED-003",
-    .sections = "FACE_C REAR_C",
-    .lines = lines};
+extern const CodeBook dinplus_c_contours{.language = "dinplus",
+                                         .chapter = "contours for the C axis",
+                                         .source = "SEED-003",
+                                         .sections = "FACE_C REAR_C",
+                                         .lines = lines};
 
 } // namespace maclint::code_books

@@ -286,11 +286,10 @@ constexpr BookLine lines[] = {
 
 } // namespace
 
-extern const CodeBook dinplus_contours{
-    .language = "dinplus",
-    .chapter = "contour of the part",
-    .source = "SEED-003",
-    .sections = "FINISHED AUXIL_CONTOUR BLANK AUXIL_BLANK",
-    .lines = lines};
+extern const CodeBook dinplus_contours{.language = "dinplus",
+                                       .chapter = "contour of the part",
+                                       .source = "SEED-003",
+                                       .sections = "FINISHED AUXIL_CONTOUR BLANK AUXIL_BLANK",
+                                       .lines = lines};
 
 } // namespace maclint::code_books

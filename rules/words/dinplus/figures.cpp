@@ -132,11 +132,10 @@ constexpr BookLine lines[] = {
 
 } // namespace
 
-extern const CodeBook dinplus_figures{
-    .language = "dinplus",
-    .chapter = "figures beside a cycle",
-    .source = "SEED-003",
-    .sections = "MACHINING SUBPROGRAM",
-    .lines = lines};
+extern const CodeBook dinplus_figures{.language = "dinplus",
+                                      .chapter = "figures beside a cycle",
+                                      .source = "SEED-003",
+                                      .sections = "MACHINING SUBPROGRAM",
+                                      .lines = lines};
 
 } // namespace maclint::code_books

@@ -383,11 +383,10 @@ constexpr BookLine lines[] = {
 
 } // namespace
 
-extern const CodeBook dinplus_y_contours{
-    .language = "dinplus",
-    .chapter = "contours for the Y axis",
-    .source = "SEED-003",
-    .sections = "FACE_Y REAR_Y",
-    .lines = lines};
+extern const CodeBook dinplus_y_contours{.language = "dinplus",
+                                         .chapter = "contours for the Y axis",
+                                         .source = "SEED-003",
+                                         .sections = "FACE_Y REAR_Y",
+                                         .lines = lines};
 
 } // namespace maclint::code_books
