@@ -18,6 +18,7 @@ extern const Rule const_var_after_machining{
     .why = "The names have to be known before the blocks that use them: the control refuses the section.",
     .severity = Severity::error,
     .precision = Precision::high,
+    .also = "MAC460",
     .messages = {{"plain", "Section too late: {0} stands behind MACHINING on line {1}.",
                   "Move it in front of MACHINING."}},
     .bad = {{"dinplus", R"nc(

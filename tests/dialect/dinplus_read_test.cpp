@@ -266,7 +266,7 @@ TEST(DinBadInput, EveryFileIsReadAndNoSpanLeavesIt) {
 
 TEST(DinBlocks, ManyNegativeWordsAreNoNoise) {
     std::string block = "N1 L\"UP\" V1";
-    for (const char letter : std::string_view("ABCDEFHIJKLOPRSUWXYZ"))
+    for (const char letter : std::string_view("ABCDEFHIJKOPRSUWXYZ"))
         block += std::string(" L") + letter + "-1";
     for (const char* word : {"BS-1", "BE-2", "WS-3", "AC-4", "WC-5", "RC-6", "ICi-7", "KC+8"})
         block += ' ' + std::string(word);

@@ -109,7 +109,10 @@ void BlockLowering::lower_statement(const Node& node) {
     switch (kind_of(node)) {
     case Kind::assignment: lower_assignment(node); break;
     case Kind::declaration:
-        if (const Node* name = child(node, Field::name)) initialise(*name, span(node));
+        if (const Node* name = child(node, Field::name)) {
+            declare(*name);
+            initialise(*name, span(node));
+        }
         break;
     case Kind::call: lower_call(node); break;
     case Kind::if_statement: mark(RegionKind::choice, Part::open, condition(Field::condition)); break;

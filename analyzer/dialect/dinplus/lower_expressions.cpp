@@ -178,7 +178,7 @@ ExpressionId BlockLowering::lower_constant(const Node& node) {
     case Kind::internal_constant: return lower_transfer(node);
     case Kind::constant:
         if (text(node) == "_pi") return literal(pi, span(node));
-        if (is_undeclared(node)) return unreadable(span(node)); // told already
+        if (is_undeclared(node) || is_too_early(node)) return unreadable(span(node)); // told already
         return add({Load{named_variable(node, spaces::constant)}, span(node)});
     default:
         if (is_undeclared(node)) return unreadable(span(node));

@@ -30,7 +30,6 @@ bool begins_with_keyword(Kind kind) {
     case Kind::unit_end:
     case Kind::group_start:
     case Kind::group_end:
-    case Kind::block_number:
     case Kind::lower_case_word:
     case Kind::function: return true;
     default: return false;
@@ -94,10 +93,9 @@ void BlockLowering::check_comparison(const Node& node) {
 void BlockLowering::check_capitals(const Node& node) {
     const std::string_view written = text(node);
     const auto end = std::ranges::find_if_not(written, [](char c) { return is_letter(c) || c == '_'; });
-    const std::string_view word =
-        kind_of(node) == Kind::lower_case_word || kind_of(node) == Kind::block_number
-            ? written
-            : written.substr(0, static_cast<std::size_t>(end - written.begin()));
+    const std::string_view word = kind_of(node) == Kind::lower_case_word
+                                      ? written
+                                      : written.substr(0, static_cast<std::size_t>(end - written.begin()));
     std::string capitals = in_capitals(word);
     if (capitals == word) return;
     const Offset begin = span(node).begin;

@@ -27,6 +27,13 @@ bool compares_nothing(Kind kind) {
 
 bool is_whole(double number) { return number == std::floor(number); }
 
+/// Whether a word of a call passes a value. The list prints some letters without their L [l.19937].
+bool passes_a_value(std::string_view address) {
+    constexpr std::string_view printed_alone = "IJKOPRSUWXYZ";
+    if (address.size() == 1 && printed_alone.find(address) == std::string_view::npos) return false;
+    return transfer_variable(address).has_value();
+}
+
 /// The name of a file without its extension.
 std::string_view without_extension(std::string_view name) { return name.substr(0, name.find('.')); }
 
@@ -114,7 +121,7 @@ void BlockLowering::check_call(const Node& call) {
         } else if (address == "Q") {
             if (number && (*number < 1 || !is_whole(*number)))
                 report(SyntaxErrorKind::repeat_count, span(word), "a whole number from 1 on");
-        } else if (transfer_variable(address)) {
+        } else if (passes_a_value(address)) {
             check_argument(word, address);
             if (address != "ID" && address != "AT" && ++passed == limits::arguments + 1)
                 report(SyntaxErrorKind::too_many_arguments, span(word), std::to_string(limits::arguments));

@@ -22,6 +22,13 @@ bool BlockLowering::is_undeclared(const Node& name) const {
            !open_->main_declares(name_of(name));
 }
 
+/// A definition reads a constant that none before it defines: callers have no names to give.
+bool BlockLowering::is_too_early(const Node& name) const {
+    return open_->declares && kind_of(name) == Kind::constant && text(name) != "_pi" &&
+           open_->alias_of(name_of(name)) == nullptr &&
+           open_->builder.program().started != Program::Started::by_call;
+}
+
 /// `_depth`, `#_depth`: how it is spelled where it is defined [l.2957, l.19448-19450], and whether it is.
 void BlockLowering::check_name(const Node& node) {
     if (is_defined_here(node)) return check_spelling(node);
@@ -29,10 +36,7 @@ void BlockLowering::check_name(const Node& node) {
     if (above == nullptr || kind_of(*above) == Kind::vacancy_test || kind_of(*above) == Kind::double_sharp)
         return;
     if (is_undeclared(node)) return report(SyntaxErrorKind::undeclared_name, span(node), "");
-    const bool unknown = open_->declares && kind_of(node) == Kind::constant && text(node) != "_pi" &&
-                         open_->alias_of(name_of(node)) == nullptr;
-    if (unknown && open_->builder.program().started != Program::Started::by_call)
-        report(SyntaxErrorKind::constant_too_early, span(node), "");
+    if (is_too_early(node)) report(SyntaxErrorKind::constant_too_early, span(node), "");
 }
 
 void BlockLowering::check_spelling(const Node& node) {

@@ -41,12 +41,19 @@ bool BlockLowering::declare_alias(const Node& name, const Node& value) {
     return variable.has_value();
 }
 
+/// A name alone in VAR or CONST: it is known from here on.
+void BlockLowering::declare(const Node& name) {
+    const Kind kind = kind_of(name);
+    if (!open_->declares || (kind != Kind::named_variable && kind != Kind::constant)) return;
+    const SpaceId space = kind == Kind::named_variable ? spaces::named : spaces::constant;
+    open_->aliases.emplace(name_of(name), named_variable(name, space));
+}
+
 /// Two names for one variable: who stores by the one changes the other.
 void BlockLowering::check_alias(const Node& name, Variable variable) {
-    const auto other = std::ranges::find_if(open_->aliases, [&](const auto& alias) {
-        return alias.second == variable && alias.first != name_of(name);
-    });
-    if (other != open_->aliases.end()) report(SyntaxErrorKind::doubled_alias, span(name), '#' + other->first);
+    const auto [first, is_new] = open_->first_names.emplace(variable, name_of(name));
+    if (!is_new && first->second != name_of(name))
+        report(SyntaxErrorKind::doubled_alias, span(name), '#' + std::string(first->second));
 }
 
 /// `#l1(200)` stores 200 in a local variable, which the programs called from here see, too [l.18947,

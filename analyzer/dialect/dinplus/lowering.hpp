@@ -40,6 +40,7 @@ class BlockLowering : private TreeLowering {
     void lower_statement(const Node& node);
     void lower_assignment(const Node& node);
     bool declare_alias(const Node& name, const Node& value);
+    void declare(const Node& name);
     void check_alias(const Node& name, Variable variable);
     void initialise(const Node& variable, Span span);
     void store(const Node& target, ExpressionId value, Span span);
@@ -81,6 +82,7 @@ class BlockLowering : private TreeLowering {
     // ---- names (lower_names.cpp)
     [[nodiscard]] bool is_defined_here(const Node& name) const;
     [[nodiscard]] bool is_undeclared(const Node& name) const;
+    [[nodiscard]] bool is_too_early(const Node& name) const;
     void check_name(const Node& node);
     void check_spelling(const Node& node);
     void check_internal_constant(const Node& node);

@@ -9,6 +9,7 @@
 #include <memory>
 #include <optional>
 #include <string_view>
+#include <unordered_map>
 #include <vector>
 
 namespace maclint::dinplus {
@@ -26,6 +27,8 @@ struct OpenProgram {
 
     // Of the blocks before; set by the lowering.
     VariablesByName aliases = {}; ///< VAR: `#_depth=#l1`
+    std::unordered_map<Variable, std::string_view, VariableHash> first_names =
+        {}; ///< in VAR, of each variable
     /// Those of the main program that its local subprograms know, too; nullptr: none. They share them.
     std::shared_ptr<const VariablesByName> inherited = {};
     /// All names that the main program declares; nullptr: it is the main program.
