@@ -29,6 +29,7 @@ extern const Rule section_parameter{
     .severity = Severity::warning,
     .precision = Precision::high,
     .needs = {Capability::sections},
+    .yields_to = "MAC106",
     .messages = {{"unlisted", "Word '{0}' of {1}, which does not take it: the manual lists no such word.",
                   "Remove '{0}', or correct its address."},
                  {"value", "Value '{0}' of {1}, which takes {2} of {3}: the manual knows no other.",

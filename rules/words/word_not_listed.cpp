@@ -26,6 +26,7 @@ extern const Rule word_not_listed{
            " control refuses the block, or passes the word over and does without what was meant.",
     .severity = Severity::warning,
     .precision = Precision::high,
+    .yields_to = "MAC106",
     .messages = {{"unlisted", "Word '{0}' beside {1}, which does not take it: {2}.",
                   "Write {3}, or give '{0}' a block of its own."},
                  {"wordless", "Word '{0}' beside {1}, which takes no words: {2}.",

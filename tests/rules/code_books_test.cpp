@@ -108,6 +108,16 @@ TEST(WordsThatNobodyLists, AreFoundAmongPlainBlocks) {
     EXPECT_THAT(machining(text + "G14 Q0 W2\n" + text), ElementsAre("MAC581/G14 6002"));
 }
 
+TEST(WordsThatNobodyLists, WithALetterOForAZeroAreToldOnce) {
+    for (const std::string text : {"MACHINING\nN1 G785 R1 JO\nEND\n",
+                                   "CHUCKING EQUIPMENT 1\nHO D0 Q4\nMACHINING\nN1 M30\nEND\n"}) {
+        cli::Overrides overrides;
+        overrides.dialect = find_dialect("dinplus");
+        overrides.select = {"MAC106", "MAC581", "DIN109"};
+        EXPECT_THAT(codes(lint_texts({{"part.nc", text}}, std::move(overrides))), ElementsAre("MAC106")) << text;
+    }
+}
+
 TEST(UnknownCodes, AreThoseOfNoChapter) {
     EXPECT_THAT(machining("N1 G27 X5\nN2 G1 X#l1 G1234\nN3 G 27\n"),
                 ElementsAre("MAC583 2", "MAC583 3", "MAC583 4"));
