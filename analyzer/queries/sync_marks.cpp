@@ -5,6 +5,7 @@
 #include "analyzer/program/tables.hpp"
 
 #include <algorithm>
+#include <cstddef>
 #include <iterator>
 #include <span>
 #include <string_view>
@@ -21,14 +22,23 @@ struct SetMark {
     Channels channels; ///< that run its block; 0: any
 };
 
+/// The kinds under which the scanner notes the two codes.
+syntax::CodeSet kinds_of_marks(const Program& program) {
+    syntax::CodeSet kinds;
+    for (const syntax::PlainTables* tables : program.plain_tables) {
+        if (tables == nullptr) continue;
+        for (const double code : {sets_mark, waits_for_mark})
+            kinds.add(tables->codes.front().rows.at(static_cast<std::size_t>(code)).kind);
+    }
+    return kinds;
+}
+
 /// What the words of the blocks tell.
 class Marks {
   public:
     void look_at(const Program& program) {
         if (!program.control->has(Capability::sections)) return;
-        syntax::CodeSet wanted;
-        wanted.add(syntax::CodeSet::kind_of(0, static_cast<std::uint64_t>(sets_mark)));
-        wanted.add(syntax::CodeSet::kind_of(0, static_cast<std::uint64_t>(waits_for_mark)));
+        const syntax::CodeSet wanted = kinds_of_marks(program);
         for (const Section& section : program.sections) {
             if (section.executed != Section::Executed::when_reached) continue;
             for_each_block_with_words(
