@@ -25,9 +25,9 @@ Cause::Cause(const ProgramAnalysis& analysis, EffectId of_effect, ExpressionId o
 }
 
 bool Cause::is_same(const Cause& other) const {
-    if (file != other.file) return false;
-    if (!effect && !other.effect) return text == other.text; // whether a rule saw the program or only the file
-    if (program != other.program || effect != other.effect) return false;
+    if (file != other.file || program != other.program) return false;
+    if (!effect && !other.effect) return text == other.text;
+    if (effect != other.effect) return false;
     return !expression || !other.expression || expression == other.expression;
 }
 

@@ -54,7 +54,8 @@ std::string_view message_for(const SyntaxError& error, const Reporter& reporter,
     if (error.answer == Answer::stops_if_assumed && reporter.has_message(messages.elsewhere))
         return messages.elsewhere;
     if (error.answer == Answer::unknown && reporter.has_message(messages.unknown)) return messages.unknown;
-    const bool cure = !error.cure.empty() && reporter.has_message(messages.with_cure);
+    const bool cure = reporter.has_message(messages.with_cure) &&
+                      (!error.cure.empty() || !reporter.has_message(messages.without));
     return cure ? messages.with_cure : messages.without;
 }
 

@@ -53,9 +53,10 @@ std::vector<Word> heading_words(const Program& program, const Section& section) 
         }
         Offset end = at;
         while (end < text.size() && (is_letter(end) || text[end] == '_')) ++end;
+        const bool is_block_number = begin == section.heading.begin && (text[at] == 'N' || text[at] == 'n');
         const bool has_number =
             end < text.size() && std::string_view("0123456789-+.").find(text[end]) != std::string_view::npos;
-        if (has_number) break;
+        if (has_number && !is_block_number) break;
         begin = at = end;
     }
     syntax::PlainBlock block;

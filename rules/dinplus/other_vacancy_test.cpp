@@ -11,7 +11,8 @@ extern const Rule other_vacancy_test{
            "a variable or a constant has one: the other test answers something else.",
     .severity = Severity::warning,
     .precision = Precision::high,
-    .messages = {{"cure", "Other test: '{0}' asks for what it is not made for.", "Write '{1}'."}},
+    .messages = {{"cure", "Other test: '{0}' asks for what it is not made for.", "Write '{1}'."},
+                 {"plain", "Other test: '{0}' asks for what it is not made for."}},
     .bad = {{"dinplus", R"nc(
 %DWELL.ncs
 MACHINING

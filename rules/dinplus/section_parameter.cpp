@@ -29,7 +29,6 @@ extern const Rule section_parameter{
     .severity = Severity::warning,
     .precision = Precision::high,
     .needs = {Capability::sections},
-    .yields_to = "MAC106",
     .messages = {{"unlisted", "Word '{0}' of {1}, which does not take it: the manual lists no such word.",
                   "Remove '{0}', or correct its address."},
                  {"value", "Value '{0}' of {1}, which takes {2} of {3}: the manual knows no other.",
@@ -69,6 +68,7 @@ class Held {
 
     void look_at(std::span<const Word> words) {
         for (const Word& word : words) {
+            if (!word.has_value()) continue; // MAC109 speaks of that, or MAC106 of its letter O
             const BookLine* line = page_.find(word.address);
             if (line == nullptr)
                 report(word, "unlisted", {text_of(word), page_.name});

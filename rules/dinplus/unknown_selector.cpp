@@ -10,7 +10,8 @@ extern const Rule unknown_selector{
     .why = "The selector says which value is read: with one that is not listed there is none.",
     .severity = Severity::warning,
     .precision = Precision::high,
-    .messages = {{"cure", "Unknown selector: '{0}' is in no list.", "Use one of these: {1}."}},
+    .messages = {{"cure", "Unknown selector: '{0}' is in no list.", "Use one of these: {1}."},
+                 {"plain", "Unknown selector: '{0}' is in no list."}},
     .bad = {{"dinplus", R"nc(
 MACHINING
 N10 #l1=#n95(X)

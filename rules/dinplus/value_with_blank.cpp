@@ -10,7 +10,8 @@ extern const Rule value_with_blank{
     .why = "Variables are written without blanks: the control may read two words.",
     .severity = Severity::warning,
     .precision = Precision::high,
-    .messages = {{"cure", "Blank in a variable: '{0}'.", "Write '{1}'."}},
+    .messages = {{"cure", "Blank in a variable: '{0}'.", "Write '{1}'."},
+                 {"plain", "Blank in a variable: '{0}'."}},
     .bad = {{"dinplus", R"nc(
 MACHINING
 N10 # l1=62

@@ -26,7 +26,6 @@ extern const Rule word_not_listed{
            " control refuses the block, or passes the word over and does without what was meant.",
     .severity = Severity::warning,
     .precision = Precision::high,
-    .yields_to = "MAC106",
     .messages = {{"unlisted", "Word '{0}' beside {1}, which does not take it: {2}.",
                   "Write {3}, or give '{0}' a block of its own."},
                  {"wordless", "Word '{0}' beside {1}, which takes no words: {2}.",
@@ -87,6 +86,7 @@ void check(const RowOfBlock& block, Reporter& reporter) {
     const WordRow& row = block.row();
     if (!speaks_for_block(block) || holds_move_that_goes_on(block)) return;
     for (const Word& word : block.block.words) {
+        if (!word.has_value()) continue; // MAC109 speaks of that, or MAC106 of its letter O
         if (has_word(any_code_takes, word.address) || has_word(row.words, word.address) ||
             block.may_belong_to_another(word))
             continue;

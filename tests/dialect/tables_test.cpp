@@ -34,7 +34,7 @@ TEST(Controls, HaveWhatTheirLanguageHas) {
     };
     constexpr auto rows = std::to_array<Row>({{loop_numbers, true, false, false},
                                               {sections, false, true, false},
-                                              {exclusive_words, true, false, false},
+                                              {exclusive_words, true, true, false},
                                               {vacancy, true, false, false},
                                               {unset_locals, true, true, false},
                                               {undefined_variables, false, true, false},

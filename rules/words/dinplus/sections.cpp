@@ -53,10 +53,7 @@ constexpr BookLine lines[] = {
 
 } // namespace
 
-extern const CodeBook dinplus_sections{.language = "dinplus",
-                                       .chapter = "sections",
-                                       .source = "SEED-003",
-                                       .sections = {},
-                                       .lines = lines};
+extern const CodeBook dinplus_sections{
+    .language = "dinplus", .chapter = "sections", .source = "SEED-003", .sections = {}, .lines = lines};
 
 } // namespace maclint::code_books
