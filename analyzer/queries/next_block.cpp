@@ -1,6 +1,7 @@
 //! Reads on from a block.
 #include "analyzer/queries/next_block.hpp"
 
+#include "analyzer/program/lines_with.hpp"
 #include "analyzer/workspace/program_analysis.hpp"
 
 #include <algorithm>
@@ -11,7 +12,7 @@ namespace maclint::queries {
 namespace {
 
 constexpr int most_blocks = 8;
-constexpr int most_later_blocks = 200;
+constexpr int most_later_lines = 200;
 
 /// Whether the control only sets codes in the block and goes on to the next.
 bool sets_codes_alone(const Program& program, const BlockView& block) {
@@ -19,6 +20,18 @@ bool sets_codes_alone(const Program& program, const BlockView& block) {
            std::ranges::all_of(program.effects_in(block.effects), [](const Effect& effect) {
                return std::holds_alternative<SetModal>(effect.what);
            });
+}
+
+std::vector<LetterCodes> letters_of(std::string_view codes) {
+    std::vector<LetterCodes> letters;
+    for (std::size_t at = 0; at < codes.size(); at = std::min(codes.find(' ', at), codes.size() - 1) + 1) {
+        double code = 0;
+        std::from_chars(codes.data() + at + 1, codes.data() + codes.size(), code);
+        auto of_letter = std::ranges::find(letters, codes[at], &LetterCodes::letter);
+        if (of_letter == letters.end()) of_letter = letters.insert(of_letter, {codes[at], {}});
+        of_letter->codes.add(code);
+    }
+    return letters;
 }
 
 bool has_letter(std::span<const Word> words, char letter) {
@@ -55,20 +68,37 @@ ItemId item_at(const Program& program, Slice items, Offset place) {
     return first;
 }
 
+/// Where the line begins that many lines after the place, or the text ends.
+Offset lines_on(std::string_view text, Offset place, int lines) {
+    std::size_t at = place;
+    for (; lines > 0 && at < text.size(); --lines) {
+        at = std::min(text.find_first_of("\r\n", at), text.size());
+        if (at + 1 < text.size() && text[at] == '\r' && text[at + 1] == '\n') ++at;
+        at = std::min(at + 1, text.size());
+    }
+    return static_cast<Offset>(at);
+}
+
 /// `visit(BlockView, words)` for the section's blocks that begin in the part, while `goes_on()`.
 template<class GoesOn, class Visit>
 void for_each_block_in(const WordsOfBlock& block, Span part, const GoesOn& goes_on, const Visit& visit) {
+    constexpr int lines_at_once = 16; // of a run, which may be long
     const Program& program = block.analysis.program();
     const Slice items = block.section.items;
+    const auto look = [&](const BlockView& view, std::span<const Word> words) {
+        if (view.span.begin >= part.begin && goes_on()) visit(view, words);
+    };
     for (ItemId item = item_at(program, items, part.begin); item < items.first + items.count && goes_on();
          ++item) {
         const Span span = program.span_of(item);
         if (span.begin >= part.end) return;
-        const Span common{std::max(span.begin, part.begin), std::min(span.end, part.end)};
-        for_each_block_with_words(program, Stretch{item, common},
-                                  [&](const BlockView& view, std::span<const Word> words) {
-                                      if (view.span.begin >= part.begin && goes_on()) visit(view, words);
-                                  });
+        const bool is_run = std::holds_alternative<PlainRun>(program.items[item]);
+        const Offset end = std::min(span.end, part.end);
+        for (Offset at = std::max(span.begin, part.begin); at < end && goes_on();) {
+            const Offset next = is_run ? std::min(end, lines_on(program.text, at, lines_at_once)) : end;
+            for_each_block_with_words(program, Stretch{item, {at, next}}, look);
+            at = next;
+        }
     }
 }
 
@@ -107,15 +137,15 @@ std::optional<std::vector<Word>> last_block_with(const WordsOfBlock& block, char
 }
 
 bool comes_later(const WordsOfBlock& block, std::string_view codes) {
-    const Offset end = static_cast<Offset>(block.analysis.program().text.size());
+    const Program& program = block.analysis.program();
+    const Slice items = block.section.items;
+    if (items.count == 0) return false;
+    const Offset begin = block.block.span.end;
+    const Offset end = std::min(program.span_of(items.first + items.count - 1).end,
+                                lines_on(program.text, begin, most_later_lines));
     bool found = false;
-    int left = most_later_blocks;
-    for_each_block_in(
-        block, {block.block.span.end, end}, [&] { return !found && left > 0; },
-        [&](const BlockView&, std::span<const Word> words) {
-            --left;
-            found = holds_code({words.begin(), words.end()}, codes);
-        });
+    for_each_line_with(letters_of(codes), program.text, {begin, std::max(begin, end)},
+                       [&](Span /*line*/) { found = true; });
     return found;
 }
 

@@ -68,6 +68,18 @@ TEST(BlocksBefore, SayWhetherARowHolds) {
         << "the second one follows a hole";
 }
 
+TEST(BlocksAfter, AreSearchedForSomeTwoHundredLines) {
+    const auto moves = [](int count) {
+        std::string text;
+        for (int i = 0; i < count; ++i) text += "G1 X50 Z-5\n";
+        return text;
+    };
+    EXPECT_THAT(machining("G58 P-0.5\n" + moves(150) + "G890 NS3 NE5\n"), IsEmpty());
+    EXPECT_THAT(machining("G58 P-0.5\n" + moves(150) + "G891 NS3 NE5\n"), IsEmpty())
+        << "the second of the list";
+    EXPECT_THAT(machining("G58 P-0.5\n" + moves(250) + "G890 NS3 NE5\n"), ElementsAre("MAC576/G58.P 2"));
+}
+
 TEST(BlocksAfter, MayDescribeTheContour) {
     EXPECT_THAT(machining("N1 G810 P2\nN2 M30\n"), ElementsAre("MAC523/G810.ID+NS 2"));
     EXPECT_THAT(machining("N1 G810 P2\nN2 G0 X50 Z0\nN3 G1 Z-20\nN4 G80\n"), IsEmpty());
