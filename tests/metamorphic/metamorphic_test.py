@@ -103,6 +103,10 @@ class Changing(unittest.TestCase):
             self.assertIn('DPRNT[X#1[53] Y]', changed('blanks-out', fanuc(), seed))
         self.assertEqual(changed('blanks-out', fanuc('IF [#1 EQ 2] THEN GOTO 5\n'), 4).replace(' ', ''), 'IF[#1EQ2]THENGOTO5\n')
 
+    def test_blanks_do_not_part_a_number_from_a_letter_typed_for_a_zero(self):
+        for seed in range(20):
+            self.assertIn('M3O', changed('blanks-in', dinplus('MACHINING\nN1 G0 X5Z2\nN2 M3O\nEND\n'), seed))
+
     def test_blanks_do_not_part_numbers_texts_or_words_of_other_languages(self):
         for seed in range(20):
             text = changed('blanks-in', fanuc('ENDIF\nX10.5 #1LTE5\n%'), seed)

@@ -256,7 +256,8 @@ def may_part(program, left, right):
         return False
     if program.language == 'fanuc':
         return True
-    return left.kind == 'number' and right.kind == 'letters' or 'comment' in kinds
+    letter_o = right.text.upper() == 'O'  # typed for a 0: a blank makes an address of it
+    return left.kind == 'number' and right.kind == 'letters' and not letter_o or 'comment' in kinds
 
 
 @change('blanks-in', same='blanks')
