@@ -29,62 +29,76 @@ struct BookLine {
 
     /// The word is needed; `effect` is what comes of a block without it.
     [[nodiscard]] constexpr BookLine needed(std::string_view effect = {}) const {
-        return with([&](BookLine& copy) {
-            copy.need = Need::likely;
-            copy.row.effect = effect;
-        });
+        BookLine copy = *this;
+        copy.need = Need::likely;
+        copy.row.effect = effect;
+        return copy;
     }
     /// And the manual says so.
     [[nodiscard]] constexpr BookLine required(std::string_view effect = {}) const {
-        return with([&](BookLine& copy) {
-            copy.need = Need::sure;
-            copy.row.effect = effect;
-        });
+        BookLine copy = *this;
+        copy.need = Need::sure;
+        copy.row.effect = effect;
+        return copy;
     }
     [[nodiscard]] constexpr BookLine in_examples() const {
-        return with([](BookLine& copy) { copy.need = Need::in_examples; });
+        BookLine copy = *this;
+        copy.need = Need::in_examples;
+        return copy;
     }
     /// What comes of a value that is not taken.
     [[nodiscard]] constexpr BookLine or_else(std::string_view effect) const {
-        return with([&](BookLine& copy) { copy.row.effect = effect; });
+        BookLine copy = *this;
+        copy.row.effect = effect;
+        return copy;
     }
     [[nodiscard]] constexpr BookLine without(std::string_view what) const {
-        return with([&](BookLine& copy) { copy.absent = what; });
+        BookLine copy = *this;
+        copy.absent = what;
+        return copy;
     }
     /// Conditions on words of the block: WordRow::when.
     [[nodiscard]] constexpr BookLine when(std::string_view conditions) const {
-        return with([&](BookLine& copy) { copy.row.when = conditions; });
+        BookLine copy = *this;
+        copy.row.when = conditions;
+        return copy;
     }
     /// Codes of the block after: WordRow::unless_next.
     [[nodiscard]] constexpr BookLine unless_next(std::string_view codes) const {
-        return with([&](BookLine& copy) { copy.row.unless_next = codes; });
+        BookLine copy = *this;
+        copy.row.unless_next = codes;
+        return copy;
     }
     /// Codes of the block before: WordRow::after, WordRow::unless_after.
     [[nodiscard]] constexpr BookLine after(std::string_view codes) const {
-        return with([&](BookLine& copy) { copy.row.after = codes; });
+        BookLine copy = *this;
+        copy.row.after = codes;
+        return copy;
     }
     [[nodiscard]] constexpr BookLine unless_after(std::string_view codes) const {
-        return with([&](BookLine& copy) { copy.row.unless_after = codes; });
+        BookLine copy = *this;
+        copy.row.unless_after = codes;
+        return copy;
     }
     /// Of a code: it stands elsewhere, too, where one of these codes comes later: WordRow::unless_later.
     [[nodiscard]] constexpr BookLine also_before(std::string_view codes) const {
-        return with([&](BookLine& copy) { copy.row.unless_later = codes; });
+        BookLine copy = *this;
+        copy.row.unless_later = codes;
+        return copy;
     }
     [[nodiscard]] constexpr BookLine as(Severity severity) const {
-        return with([&](BookLine& copy) { copy.row.severity = severity; });
+        BookLine copy = *this;
+        copy.row.severity = severity;
+        return copy;
     }
     [[nodiscard]] constexpr BookLine also(std::string_view aliases) const {
-        return with([&](BookLine& copy) { copy.row.aliases = aliases; });
+        BookLine copy = *this;
+        copy.row.aliases = aliases;
+        return copy;
     }
     [[nodiscard]] constexpr BookLine off(std::string_view reason) const {
-        return with([&](BookLine& copy) { copy.row.off_reason = reason; });
-    }
-
-  private:
-    template<class Change>
-    [[nodiscard]] constexpr BookLine with(Change change) const {
         BookLine copy = *this;
-        change(copy);
+        copy.row.off_reason = reason;
         return copy;
     }
 };
