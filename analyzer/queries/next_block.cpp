@@ -143,6 +143,15 @@ bool comes_later(const WordsOfBlock& block, std::string_view codes) {
     const Offset begin = block.block.span.end;
     const Offset end = std::min(program.span_of(items.first + items.count - 1).end,
                                 lines_on(program.text, begin, most_later_lines));
+    for (ItemId item = item_at(program, items, begin); item < items.first + items.count; ++item) {
+        if (program.span_of(item).begin >= end) break;
+        const auto* later = std::get_if<Block>(&program.items[item]);
+        if (later != nullptr &&
+            std::ranges::any_of(program.effects_in(later->effects), [](const Effect& effect) {
+                return std::holds_alternative<Call>(effect.what);
+            }))
+            return true;
+    }
     bool found = false;
     for_each_line_with(letters_of(codes), program.text, {begin, std::max(begin, end)},
                        [&](Span /*line*/) { found = true; });

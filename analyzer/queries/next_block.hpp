@@ -18,7 +18,8 @@ namespace maclint::queries {
 /// lines back, in the same section. Nothing: there is none.
 [[nodiscard]] std::optional<std::vector<Word>> last_block_with(const WordsOfBlock& block, char letter);
 
-/// Whether one of the next two hundred lines of the section holds one of the codes, in a comment or not.
+/// Whether one of the next two hundred lines of the section holds one of the codes, in a comment or not,
+/// or calls a program that may.
 [[nodiscard]] bool comes_later(const WordsOfBlock& block, std::string_view codes);
 
 /// Whether one of the words is one of the codes, which blanks separate: "G0 G1".

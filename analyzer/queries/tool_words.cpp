@@ -41,8 +41,14 @@ void add_tools(const Program& program, const Section& section, std::vector<ToolW
 
 std::vector<ToolWord> listed_tools(const Program& program) {
     std::vector<ToolWord> tools;
-    for (const Section& section : program.sections)
-        if (section.kind == tool_list) add_tools(program, section, tools);
+    std::size_t list = 0;
+    for (const Section& section : program.sections) {
+        if (section.kind != tool_list) continue;
+        const std::size_t first = tools.size();
+        add_tools(program, section, tools);
+        for (std::size_t i = first; i < tools.size(); ++i) tools[i].list = list;
+        ++list;
+    }
     return tools;
 }
 

@@ -3,6 +3,7 @@
 
 #include "analyzer/program/model.hpp"
 
+#include <cstddef>
 #include <string_view>
 #include <vector>
 
@@ -13,6 +14,7 @@ struct ToolWord {
     double number;         ///< of the tool, without its edge
     std::string_view edge; ///< the figures behind the point; empty: none, the main edge
     Span span;
+    std::size_t list = 0; ///< of a listed tool: which of the program's lists has it
 };
 
 /// The tools of the list of a program, a section that a word of its own begins; empty where it has none, or

@@ -5,7 +5,7 @@
 
 #include <map>
 #include <string>
-#include <utility>
+#include <tuple>
 
 namespace maclint::rules {
 
@@ -50,10 +50,10 @@ namespace {
 
 void check(const ProgramFile& file, Reporter& reporter) {
     for (const Program& program : file.programs) {
-        std::map<std::pair<double, std::string>, Span> places;
+        std::map<std::tuple<std::size_t, double, std::string>, Span> places;
         for (const queries::ToolWord& tool : queries::listed_tools(program)) {
             const std::string edge(tool.edge == "0" ? "" : tool.edge); // the main edge needs no figure
-            const auto [first, is_new] = places.emplace(std::pair(tool.number, edge), tool.span);
+            const auto [first, is_new] = places.emplace(std::tuple(tool.list, tool.number, edge), tool.span);
             if (is_new) continue;
             Finding& finding =
                 reporter.report({file, tool.span}, tool.span, "plain",

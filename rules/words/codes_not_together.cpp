@@ -49,7 +49,7 @@ void check(const RowOfBlock& block, Reporter& reporter) {
     const WordRow& row = block.row();
     for (const Word& word : block.block.words) {
         if (&word == &block.code || !std::holds_alternative<Literal>(word.value)) continue;
-        if (!has_word(row.others, block.code_of(word))) continue;
+        if (!has_word(row.others, RowOfBlock::code_of(word))) continue;
         block.report(reporter, block.code, "both",
                      {block.text_of(block.code), block.text_of(word), std::string(row.effect)});
         return;

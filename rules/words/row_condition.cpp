@@ -52,7 +52,7 @@ bool holds_beside(const queries::WordsOfBlock& block, const Word& code, std::str
 }
 
 std::string in_words(const RowCondition& condition) {
-    const std::string address(condition.address);
+    std::string address(condition.address);
     if (!condition.there) return "no " + address;
     if (condition.values.empty()) return address;
     return (condition.or_missing ? "no " + address + " or " : "") + address +

@@ -9,13 +9,14 @@
 namespace maclint {
 namespace {
 
-/// The section's kind; where the program has no section words, that of a subprogram if it is one.
+/// The section's kind; unknown where the program has no section words, or is called: from a contour it
+/// describes one, from a machining section it machines.
 std::string_view place_of(const Program& program, const Section& section) {
     const auto& kinds = program.control->sections;
-    if (kinds.empty() || std::ranges::find(kinds, section.kind, &SectionKind::name) != kinds.end())
-        return section.kind;
-    if (program.started != Program::Started::by_call) return unknown_section;
-    return std::ranges::find(kinds, SectionKind::Role::subprogram, &SectionKind::role)->name;
+    const auto kind = std::ranges::find(kinds, section.kind, &SectionKind::name);
+    if (kinds.empty()) return section.kind;
+    return kind == kinds.end() || kind->role == SectionKind::Role::subprogram ? unknown_section
+                                                                              : section.kind;
 }
 
 } // namespace

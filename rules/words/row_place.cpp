@@ -35,7 +35,8 @@ bool holds_in(const RowForCode& code, const ControlModel& control, std::string_v
         return false;
     const std::string_view sections = row.sections.empty() ? table.sections : row.sections;
     if (section == unknown_section && !sections.empty())
-        return row.says != RowStatement::refused && has_one_page(table.language, code);
+        return row.says != RowStatement::refused && row.unless_later.empty() &&
+               has_one_page(table.language, code);
     return stands_in(sections, section);
 }
 

@@ -15,6 +15,6 @@ inline constexpr std::string_view unknown_section = "?";
 [[nodiscard]] bool stands_in(std::string_view sections, std::string_view section);
 
 /// `section`: the kind of a section, or unknown_section.
-[[nodiscard]] bool holds_in(const RowForCode& row, const ControlModel& control, std::string_view section);
+[[nodiscard]] bool holds_in(const RowForCode& code, const ControlModel& control, std::string_view section);
 
 } // namespace maclint

@@ -1,14 +1,9 @@
 //! MAC581: a word that the manual does not list for a code.
-#include "analyzer/program/tables.hpp"
-#include "analyzer/workspace/program_analysis.hpp"
 #include "rules/words/row_index.hpp"
 #include "rules/words/row_of_block.hpp"
 #include "rules/words/word_list.hpp"
 
-#include <algorithm>
-#include <optional>
 #include <string>
-#include <variant>
 
 namespace maclint::rules {
 
@@ -58,33 +53,17 @@ bool speaks_for_block(const RowOfBlock& block) {
     return true;
 }
 
-/// Whether a code only switches how others are read, so that a move of the blocks before may go on beside it.
-bool only_switches(const ControlModel& control, const Word& word) {
-    if (word.address == "M") return true;
-    const auto* code = std::get_if<Literal>(&word.value);
-    const auto group = code == nullptr ? std::nullopt : control.group_of('G', code->value);
-    if (!group) return false;
-    switch (control.groups[*group].role) {
-    case ModalRole::feed_mode:
-    case ModalRole::speed_mode:
-    case ModalRole::plane: return true;
-    default: return false;
-    }
-}
-
-/// Whether a move of the blocks before goes on in the block: its words are then not those of the code.
-/// [SEED-003:10297]
-bool holds_move_that_goes_on(const RowOfBlock& block) {
-    const ControlModel& control = block.block.analysis.control();
-    return block.find("X Y Z I K") != nullptr &&
-           std::ranges::all_of(block.block.words, [&](const Word& word) {
-               return !has_word("G M", word.address) || only_switches(control, word);
-           });
+/// Whether a move, or an element of a contour, of the blocks before may go on in the block, whatever other
+/// code stands there: its words are then not those of the code. [SEED-003:10297, 11073, 12680, 18040]
+bool may_hold_move_that_goes_on(const RowOfBlock& block) {
+    const Word* axis = block.find("X Y Z I K");
+    return axis != nullptr && !has_word(block.row().words, axis->address) &&
+           !block.may_belong_to_another(*axis);
 }
 
 void check(const RowOfBlock& block, Reporter& reporter) {
     const WordRow& row = block.row();
-    if (!speaks_for_block(block) || holds_move_that_goes_on(block)) return;
+    if (!speaks_for_block(block) || may_hold_move_that_goes_on(block)) return;
     for (const Word& word : block.block.words) {
         if (!word.has_value()) continue; // MAC109 speaks of that, or MAC106 of its letter O
         if (has_word(any_code_takes, word.address) || has_word(row.words, word.address) ||

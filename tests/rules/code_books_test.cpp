@@ -83,6 +83,8 @@ TEST(BlocksAfter, AreSearchedForSomeTwoHundredLines) {
 TEST(BlocksAfter, MayDescribeTheContour) {
     EXPECT_THAT(machining("N1 G810 P2\nN2 M30\n"), ElementsAre("MAC523/G810.ID+NS 2"));
     EXPECT_THAT(machining("N1 G810 P2\nN2 G0 X50 Z0\nN3 G1 Z-20\nN4 G80\n"), IsEmpty());
+    EXPECT_THAT(machining("N1 G810 P2\nN2 #l1=40\nN3 G0 X#l1 Z0\nN4 G1 Z-20\nN5 G80\n"), IsEmpty());
+    EXPECT_THAT(machining("N1 G810 P2\nN2 L\"MUOTO\" V1\n"), IsEmpty()) << "the call may describe it";
 }
 
 TEST(Places, OfContoursAreNoneInMachiningUnlessOneIsDescribedThere) {
@@ -102,8 +104,8 @@ TEST(Places, OfMachiningAreNoneInContours) {
 TEST(Places, AreUnknownWithoutSectionsButInSubprograms) {
     const std::string text = "N1 G20 X50 Z60 K1\nN2 G14 Q9\n";
     EXPECT_THAT(found_in_file("snippet.nc", text), ElementsAre("MAC576/G14.Q 2"));
-    EXPECT_THAT(found_in_file("sub.ncs", "%sub.ncs\n" + text + "RETURN\n"),
-                ElementsAre("MAC527/G20 2", "MAC576/G14.Q 3"));
+    EXPECT_THAT(found_in_file("sub.ncs", "%sub.ncs\n" + text + "RETURN\n"), ElementsAre("MAC576/G14.Q 3"))
+        << "it may describe a contour";
 }
 
 TEST(WordsThatNobodyLists, AreThoseOfNoCodeOfTheBlock) {
@@ -111,7 +113,11 @@ TEST(WordsThatNobodyLists, AreThoseOfNoCodeOfTheBlock) {
     EXPECT_THAT(machining("N1 G14 Q0 F2 S100 T1 M8\n"), IsEmpty()) << "they go with any code";
     EXPECT_THAT(machining("N1 G1 X5 G14 Q0 Z3\n"), IsEmpty()) << "Z is of G1";
     EXPECT_THAT(machining("N1 G14 H2 M70\n"), IsEmpty()) << "nobody knows what M70 takes";
-    EXPECT_THAT(machining("N1 G1 X50\nN2 X60 G95 F0.2\nN3 Z-5 M8\n"), IsEmpty()) << "the move goes on";
+    EXPECT_THAT(machining("N1 G1 X50\nN2 X60 G95 F0.2\nN3 Z-5 M8\nN4 X82 G40\nN5 G4 F1 X50\nN6 X60 BR2 G9\n"),
+                IsEmpty())
+        << "the move goes on";
+    EXPECT_THAT(contour("FINISHED", "N1 G0 X0 Z0\nN2 G1 Z-60\nN3 X82 G52 P0.2\nN4 G1 X90 V3\n"),
+                ElementsAre("MAC581/G1 5"));
 }
 
 TEST(WordsThatNobodyLists, AreFoundAmongPlainBlocks) {

@@ -15,7 +15,6 @@ namespace maclint::test {
 namespace {
 
 using testing::Each;
-using testing::ElementsAre;
 using testing::Eq;
 using testing::IsEmpty;
 using testing::Not;

@@ -143,7 +143,7 @@ constexpr BookLine lines[] = {
         word("X", 18126, "target diameter of the move of the block"),
         word("Z", 18126, "target in Z of the move of the block"),
         word("Y", 18126, "target in Y of the move of the block"),
-        needs("X Z Y A B C U V W AN", 18126, "target of the move of the block", "no move gets the override").when("H?0").also("DIN651"),
+        needs("X Z Y A B C U V W AN I J K R", 18126, "target of the move of the block", "no move gets the override").when("H?0").also("DIN651"),
     code("G909", 18135, "interpreter stop"),
         alone("", 18141, "only what synchronises slides stands beside it").when("-G -M").also("DIN011"),
         apart("G0 G1 G2 G3 G12 G13 G14 G100 G101 G102 G103 G110 G111 G112 G113 G701 G26 G94 G95 G96 G97 M3 M4 M5", 18141, "it stands alone, or beside what synchronises slides").also("DIN011"),
