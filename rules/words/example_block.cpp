@@ -53,13 +53,13 @@ std::string ExampleBlock::value_of(std::string_view address) const {
     return has_word(frame_of(language_).with_point, address) ? "10." : "2";
 }
 
-/// An address that the code does not take.
+/// An address that the code does not take, and no move that goes on.
 std::string ExampleBlock::foreign_word() const {
     for (const WordRow* row : rows_)
         if (row->says == RowStatement::takes_only)
-            for (const char letter : std::string_view("QHVWDBEJKUROPXZCAIYL"))
+            for (const char letter : std::string_view("QHVWDBEJUROPCA"))
                 if (!has_word(row->words, std::string_view(&letter, 1))) return {letter};
-    return "L";
+    return "QK";
 }
 
 std::string ExampleBlock::written(const ExampleWords& words) const {
