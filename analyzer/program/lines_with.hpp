@@ -20,9 +20,7 @@ class CodeNumbers {
     void add(double code) {
         if (code >= 0 && code < capacity) codes_.set(static_cast<std::size_t>(code)); // 54 for 54.1
     }
-    void add(const CodeNumbers& other) { codes_ |= other.codes_; }
     void add_beyond() { beyond_ = true; }
-    [[nodiscard]] bool empty() const { return codes_.none() && !beyond_; }
 
     /// Whether the number that the text begins with, after blanks, is one of them; false where none stands.
     [[nodiscard]] bool may_begin(std::string_view text) const {
@@ -66,8 +64,8 @@ void for_each_line_with(std::span<const LetterCodes> wanted, std::string_view te
         if (of_letter == nullptr || !of_letter->may_begin(whole.substr(at + 1))) continue;
         const std::size_t end = std::min(whole.find_first_of("\n\r", at), whole.size());
         visit(Span{static_cast<Offset>(begin), static_cast<Offset>(end)});
-        begin = at = end;
-        ++begin;
+        at = end;
+        begin = end + 1;
     }
 }
 

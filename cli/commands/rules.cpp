@@ -118,11 +118,7 @@ bool take_folder(const fs::path& path, std::string_view mark, std::string_view o
 }
 
 int write_codes(const std::string& folder) {
-    std::vector<std::string_view> languages;
-    for (const CodeBook* book : all_code_books())
-        if (std::ranges::find(languages, book->language) == languages.end())
-            languages.push_back(book->language);
-    for (const std::string_view language : languages) {
+    for (const std::string_view language : languages_of_chapters()) {
         const fs::path path = platform::path_of(folder) / platform::path_of(std::string(language));
         if (!take_folder(path, codes_mark, "--write-codes")) return exit_error;
         std::error_code ignored;

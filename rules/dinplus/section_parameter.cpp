@@ -107,7 +107,7 @@ class Held {
 void check(const ProgramAnalysis& analysis, Reporter& reporter) {
     const Program& program = analysis.program();
     for (const Section& section : program.sections) {
-        const auto page = page_of_section(analysis.control(), section.kind);
+        const auto page = page_of_section(analysis.control(), section);
         if (!page) continue;
         Held held(analysis, *page, reporter);
         held.look_at(queries::heading_words(program, section));

@@ -19,16 +19,13 @@ namespace {
 class Writer {
   public:
     std::vector<const WordTable*> tables() {
-        std::vector<std::string_view> languages;
         for (const CodeBook* book : all_code_books()) {
             std::vector<WordRow> rows;
-            for (const CodePage& page : all_code_pages())
-                if (page.book == book) add_rows(page, rows);
+            for (const CodePage& page : pages_of(*book)) add_rows(page, rows);
             add_table(book->language, book->sections, std::move(rows));
-            if (std::ranges::find(languages, book->language) == languages.end())
-                languages.push_back(book->language);
         }
-        for (const std::string_view language : languages) add_table(language, {}, rows_of_places(language));
+        for (const std::string_view language : languages_of_chapters())
+            add_table(language, {}, rows_of_places(language));
         std::vector<const WordTable*> all;
         for (const WordTable& table : tables_) all.push_back(&table);
         return all;

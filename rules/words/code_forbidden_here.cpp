@@ -1,10 +1,11 @@
 //! MAC527: a code that the control refuses where another is in force.
 #include "analyzer/program/model.hpp"
+#include "analyzer/program/numbered_blocks.hpp"
 #include "analyzer/program/tables.hpp"
+#include "analyzer/queries/sections.hpp"
 #include "analyzer/workspace/program_analysis.hpp"
 #include "rules/words/row_of_block.hpp"
 
-#include <algorithm>
 #include <string>
 
 namespace maclint::rules {
@@ -50,15 +51,10 @@ namespace {
 /// Whether all codes stand in sections of contours because the word that ends those is missing: one cause,
 /// which another rule tells.
 bool machining_is_missing(const RowOfBlock& block) {
-    const ControlModel& control = block.block.analysis.control();
-    const auto role_of = [&](const Section& section) {
-        const auto kind = std::ranges::find(control.sections, section.kind, &SectionKind::name);
-        return kind == control.sections.end() ? SectionKind::Role::information : kind->role;
-    };
-    return role_of(block.block.section) == SectionKind::Role::contour &&
-           std::ranges::none_of(block.block.analysis.program().sections, [&](const Section& section) {
-               return role_of(section) == SectionKind::Role::machining;
-           });
+    const ProgramAnalysis& analysis = block.block.analysis;
+    const SectionKind* kind = kind_of(analysis.control(), block.block.section);
+    return kind != nullptr && kind->role == SectionKind::Role::contour &&
+           !queries::has_section(analysis.program(), SectionKind::Role::machining);
 }
 
 void check(const RowOfBlock& block, Reporter& reporter) {

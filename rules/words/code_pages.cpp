@@ -38,6 +38,14 @@ const std::multimap<PageOfCode, const CodePage*>& index() {
 
 } // namespace
 
+std::vector<std::string_view> languages_of_chapters() {
+    std::vector<std::string_view> languages;
+    for (const CodeBook* book : all_code_books())
+        if (std::ranges::find(languages, book->language) == languages.end())
+            languages.push_back(book->language);
+    return languages;
+}
+
 std::vector<CodePage> pages_of(const CodeBook& book) {
     std::vector<CodePage> pages;
     for (std::size_t i = 0; i < book.lines.size();) {
@@ -65,8 +73,8 @@ std::vector<const CodePage*> pages_of_code(std::string_view language, std::strin
 }
 
 bool has_all_codes(std::string_view language) {
-    return std::ranges::any_of(all_code_books(),
-                               [&](const CodeBook* book) { return book->language == language; });
+    const auto languages = languages_of_chapters();
+    return std::ranges::find(languages, language) != languages.end();
 }
 
 bool has_all_codes(const ControlModel& control) { return has_all_codes(control.language); }

@@ -21,6 +21,8 @@ struct CodePage {
     }
 };
 
+/// Those that chapters are of, each once.
+[[nodiscard]] std::vector<std::string_view> languages_of_chapters();
 /// Of one chapter.
 [[nodiscard]] std::vector<CodePage> pages_of(const CodeBook& book);
 /// Of all chapters of all languages, in their order.

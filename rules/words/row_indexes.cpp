@@ -1,10 +1,9 @@
 //! Keeps one index for each control and kind of section.
 #include "rules/words/row_indexes.hpp"
 
+#include "analyzer/program/numbered_blocks.hpp"
 #include "analyzer/program/tables.hpp"
 #include "rules/words/row_place.hpp"
-
-#include <algorithm>
 
 namespace maclint {
 namespace {
@@ -12,11 +11,9 @@ namespace {
 /// The section's kind; unknown where the program has no section words, or is called: from a contour it
 /// describes one, from a machining section it machines.
 std::string_view place_of(const Program& program, const Section& section) {
-    const auto& kinds = program.control->sections;
-    const auto kind = std::ranges::find(kinds, section.kind, &SectionKind::name);
-    if (kinds.empty()) return section.kind;
-    return kind == kinds.end() || kind->role == SectionKind::Role::subprogram ? unknown_section
-                                                                              : section.kind;
+    if (program.control->sections.empty()) return section.kind;
+    const SectionKind* kind = kind_of(*program.control, section);
+    return kind == nullptr || kind->role == SectionKind::Role::subprogram ? unknown_section : section.kind;
 }
 
 } // namespace

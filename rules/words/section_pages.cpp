@@ -2,6 +2,7 @@
 #include "rules/words/section_pages.hpp"
 
 #include "analyzer/dialect/ascii.hpp"
+#include "analyzer/program/numbered_blocks.hpp"
 #include "analyzer/program/tables.hpp"
 #include "rules/words/word_list.hpp"
 
@@ -17,13 +18,6 @@ std::span<const CodeBook* const> all_section_books() {
     static constexpr std::array list = {&code_books::dinplus_sections};
     return list;
 }
-
-namespace {
-
-/// Whether the section has no blocks but such as describe it.
-bool is_information(std::string_view name) { return name == "CHUCKING_EQUIPMENT" || name == "TURRET"; }
-
-} // namespace
 
 const BookLine* SectionPage::find(std::string_view address) const {
     const auto found = std::ranges::find(lines, address, [](const BookLine& line) { return line.row.words; });
@@ -43,14 +37,17 @@ std::vector<CodePage> pages_named(std::string_view language, std::string_view na
     return pages;
 }
 
-std::optional<SectionPage> page_of_section(const ControlModel& control, std::string_view kind) {
-    std::string name(kind);
+std::optional<SectionPage> page_of_section(const ControlModel& control, const Section& section) {
+    const SectionKind* kind = kind_of(control, section);
+    if (kind == nullptr) return std::nullopt;
+    std::string name(kind->name);
     std::ranges::replace(name, ' ', '_');
     for (const CodeBook* book : all_section_books()) {
         if (book->language != control.language) continue;
         for (const CodePage& page : pages_of(*book))
             if (has_word(page.head->row.code, name))
-                return SectionPage{std::string(kind), page.lines, is_information(name)};
+                return SectionPage{std::string(kind->name), page.lines,
+                                   kind->role == SectionKind::Role::information};
     }
     return std::nullopt;
 }

@@ -11,6 +11,8 @@
 
 namespace maclint {
 
+struct Section;
+
 struct SectionPage {
     std::string name; ///< "FACE_Y"
     std::span<const BookLine> lines;
@@ -20,8 +22,8 @@ struct SectionPage {
     [[nodiscard]] const BookLine* find(std::string_view address) const;
 };
 
-/// `kind`: a name of ControlModel::sections. Nothing: the manual says nothing of its words.
-[[nodiscard]] std::optional<SectionPage> page_of_section(const ControlModel& control, std::string_view kind);
+/// Nothing: the manual says nothing of the words of such sections.
+[[nodiscard]] std::optional<SectionPage> page_of_section(const ControlModel& control, const Section& section);
 
 /// The pages of a code or of a section, as users write them: "g0860", "face_c", "CHUCKING EQUIPMENT".
 [[nodiscard]] std::vector<CodePage> pages_named(std::string_view language, std::string_view name);
