@@ -42,6 +42,7 @@ enum class RowStatement : std::uint8_t {
     only_with,  ///< they stand beside one of the others only
     values,     ///< their values lie within the bounds, or in the list
     whole,      ///< their values are written without a point
+    digits,     ///< they have at most so many digits before the point
     alone,      ///< no word but them stands beside the code
     apart,      ///< the code stands beside none of the other codes
     precedes,   ///< the next block holds one of the other codes

@@ -18,6 +18,7 @@
     RULE(unterminated_comment)                  /* MAC102 */ \
     RULE(lower_case_code)                       /* MAC104 */ \
     RULE(letter_o_for_zero)                     /* MAC106 */ \
+    RULE(too_many_digits)                       /* MAC107 */ \
     RULE(address_without_value)                 /* MAC109 */ \
     RULE(parenthesis_as_bracket)                /* MAC116 */ \
     RULE(bracket_mismatch)                      /* MAC117 */ \

@@ -19,13 +19,12 @@ Severity severity_in(const ProgramFile& file, const Rule& rule) {
     return other == rule.severity_elsewhere.end() ? rule.severity : other->severity;
 }
 
-/// An error is what the control stops at. Where it may raise one of several alarms, nobody is told which.
-std::string_view alarm_in(const ProgramFile& file, const Rule& rule) {
-    if (file.control == nullptr || severity_in(file, rule) != Severity::error) return {};
-    const auto raised = [&](const Alarm& alarm) { return alarm.control == file.control->alarms; };
-    if (std::ranges::count_if(rule.alarms, raised) != 1) return {};
-    const auto alarm = std::ranges::find_if(rule.alarms, raised);
-    return alarm->always ? alarm->number : std::string_view();
+/// The one alarm that it is true of; nullptr: of none, or of several, and nobody knows which is raised.
+template<class Is>
+const Alarm* only_one(std::span<const Alarm> alarms, const Is& is) {
+    const auto found = std::ranges::find_if(alarms, is);
+    if (found == alarms.end() || std::ranges::count_if(alarms, is) != 1) return nullptr;
+    return &*found;
 }
 
 } // namespace
@@ -44,7 +43,21 @@ Finding& Reporter::report(const Cause& cause, Span span, std::string_view messag
                                           .related = {},
                                           .path = {},
                                           .fixes = {},
-                                          .alarm = alarm_in(file, *rule_)});
+                                          .alarm = severity_in(file, *rule_) == Severity::error
+                                                       ? alarm_for(file, message_id)
+                                                       : std::string_view()});
+}
+
+std::string_view Reporter::alarm_for(const ProgramFile& file, std::string_view trouble) const {
+    if (file.control == nullptr) return {};
+    const auto raised = [&](const Alarm& alarm) { return alarm.control == file.control->alarms; };
+    if (const Alarm* own = only_one(rule_->alarms, [&](const Alarm& alarm) {
+            return raised(alarm) && !trouble.empty() && lists_code(alarm.of, trouble);
+        }))
+        return own->number;
+    const Alarm* usual =
+        only_one(rule_->alarms, [&](const Alarm& alarm) { return raised(alarm) && alarm.of.empty(); });
+    return usual != nullptr && usual->always ? usual->number : std::string_view();
 }
 
 std::vector<Finding> Reporter::take() {

@@ -25,6 +25,9 @@ class Reporter {
     [[nodiscard]] bool has_message(std::string_view id) const;
     /// "alarm 5074", by the control's list of alarms; "an alarm" where that is not known.
     [[nodiscard]] std::string alarm_words(const ProgramFile& file) const;
+    /// The number of the alarm that the control raises for such a finding, a message's id or a fault of a
+    /// syntax error (Alarm::of); empty: none is known, or not which of several.
+    [[nodiscard]] std::string_view alarm_for(const ProgramFile& file, std::string_view trouble) const;
     [[nodiscard]] std::vector<Finding> take();
 
   private:

@@ -40,6 +40,9 @@ struct Alarm {
     std::string_view number;  ///< "124"
     std::string_view text;    ///< "MISSING END STATEMENT"
     bool always = true;       ///< wherever the rule finds an error, and not only in some of its cases
+    /// Ids of messages, and `faults` of syntax errors, separated by blanks, that it is raised for; empty: for
+    /// those which no other alarm of the control names.
+    std::string_view of = {};
 };
 
 /// The severity in programs of a language, where it is not the rule's own.

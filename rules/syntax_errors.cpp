@@ -89,6 +89,7 @@ void report_syntax_error(const ProgramFile& file, SyntaxErrorKind kind, Reporter
         Finding& finding = reporter.report(
             {file, error.span}, error.span, message_for(error, reporter, messages),
             {to_utf8(error.subject, detect_encoding(error.subject)), error.cure, error.elsewhere});
+        if (!error.fault.empty()) finding.alarm = reporter.alarm_for(file, error.fault);
         if (messages.severity) finding.severity = *messages.severity;
         if (error.answer == Answer::stops_if_assumed) finding.severity = Severity::warning;
         if (error.answer == Answer::unknown) finding.severity = Severity::note;

@@ -116,6 +116,17 @@ struct Remedy {
     std::vector<TextChange> changes = {};
 };
 
+/// What exactly the control stops at, where it numbers several alarms for one kind: Alarm::of names these.
+namespace faults {
+constexpr std::string_view two_signs = "two-signs", two_points = "two-points", character = "character",
+                           no_address = "no-address", no_program_number = "no-program-number",
+                           number_misplaced = "number-misplaced", no_equals = "no-equals",
+                           no_comma = "no-comma", expression = "expression",
+                           opening_bracket = "opening-bracket", closing_bracket = "closing-bracket",
+                           real_time = "real-time", keyword = "keyword", operation = "operation",
+                           statement = "statement";
+}
+
 struct SyntaxError {
     SyntaxErrorKind kind;
     Span span;
@@ -124,6 +135,7 @@ struct SyntaxError {
     Answer answer = Answer::stops;
     std::string elsewhere = {}; ///< `stops_if_assumed`: names of the controls that take it
     Remedy remedy = {};
+    std::string_view fault = {}; ///< one of `faults`; empty: nothing more exact is known
 };
 
 } // namespace maclint

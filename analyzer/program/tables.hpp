@@ -65,6 +65,13 @@ struct ExclusiveCodes {
     std::string_view source;
 };
 
+/// A code that the machine's maker or the shop has added.
+struct OwnCode {
+    char letter;
+    double number;
+    std::int64_t program = 0; ///< of the macro that it calls; 0: none, or nobody says
+};
+
 /// What a control does with a block that holds an address twice, or two codes that contradict each other.
 enum class Contradiction : std::uint8_t {
     last_counts, ///< it takes the last one, or stops, as a parameter says
@@ -112,6 +119,11 @@ struct ControlModel {
     /// Addresses that a block may hold more than once, and those that it may where it calls a program.
     std::vector<std::string_view> repeatable = {}, repeatable_arguments = {};
     Contradiction contradiction = Contradiction::last_counts;
+    /// G codes from this number on may be the maker's or the shop's; 0: the language has them all.
+    int first_free_code = 0;
+    /// Those, where somebody has listed them: then there are no others of their letter. By letter, number.
+    std::vector<OwnCode> own_codes = {};
+    std::string letters_listed = {}; ///< "GM": the letters whose own codes are listed
     /// Empty: the codes of a modal group exclude each other.
     std::vector<ExclusiveCodes> exclusive_codes = {};
 

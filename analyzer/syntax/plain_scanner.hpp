@@ -142,7 +142,7 @@ class PlainScanner {
             if (at_ == end_) return false;
         }
         const char* const digits = at_;
-        if (row.start == PlainStart::block_number) return block_number();
+        if (row.start == PlainStart::block_number) return block_number(row.form);
         if (!number_of(row)) return false;
         if (tables_.not_after_number != 0 && at_ != end_ && *at_ == tables_.not_after_number) return false;
         of_values_ |= row.traits;
@@ -172,7 +172,7 @@ class PlainScanner {
     bool number_of(Row row) {
         switch (row.start) {
         case PlainStart::axis: axes_ = true; [[fallthrough]];
-        case PlainStart::number: return any_number();
+        case PlainStart::number: return any_number(row.form);
         case PlainStart::value: return group_value(row);
         case PlainStart::code: return code(row);
         default: return false;
@@ -200,16 +200,19 @@ class PlainScanner {
         while (at_ != end_ && is_blank(*at_)) ++at_;
     }
 
-    bool any_number() {
+    bool any_number(PlainForm form) {
         sign();
+        if (negative_ && form.unsigned_only) return false;
         if constexpr (Words::wanted) {
             read_number();
-            return digits_ != 0;
+            return digits_ != 0 && has_form(form);
         }
         const char* const digits = at_;
         while (at_ != end_ && is_digit(*at_)) ++at_;
         std::ptrdiff_t count = at_ - digits;
+        if (count > form.most_digits) return false;
         if (at_ != end_ && *at_ == '.') {
+            if (form.without_point) return false;
             const char* const decimals = ++at_;
             while (at_ != end_ && is_digit(*at_)) ++at_;
             count += at_ - decimals;
@@ -234,6 +237,12 @@ class PlainScanner {
         digits_ += decimals_;
     }
 
+    /// Of the number that was read.
+    [[nodiscard]] bool has_form(PlainForm form) const {
+        return digits_ - decimals_ <= form.most_digits && !(point_ && form.without_point) &&
+               !(negative_ && form.unsigned_only);
+    }
+
     bool exact_number() {
         read_number();
         return digits_ != 0 && digits_ <= exact_digits;
@@ -249,7 +258,7 @@ class PlainScanner {
     bool code(Row row) {
         const PlainCodes& codes = tables_.codes[row.which];
         negative_ = false;
-        if (!exact_number() || decimals_ > codes.decimals) return false;
+        if (!exact_number() || decimals_ > codes.decimals || (point_ && row.form.without_point)) return false;
         std::uint64_t index = mantissa_;
         for (unsigned i = decimals_; i < codes.decimals; ++i) index *= 10;
         if (index >= codes.rows.size()) return false;
@@ -264,16 +273,16 @@ class PlainScanner {
 
     bool group_value(Row row) {
         sign();
-        if (at_ == end_ || !exact_number()) return false;
+        if (at_ == end_ || !exact_number() || !has_form(row.form)) return false;
         const double value = scaled(mantissa_, decimals_);
         return set(row.which, negative_ && value != 0 ? -value : value);
     }
 
     /// Only at the head of a block.
-    bool block_number() {
+    bool block_number(PlainForm form) {
         constexpr std::size_t longest = 9;
         if (last_ != nullptr) return false;
-        if (!exact_number() || point_ || digits_ > longest) return false;
+        if (!exact_number() || point_ || digits_ > longest || digits_ > form.most_digits) return false;
         block_.number = static_cast<std::int64_t>(mantissa_);
         block_.number_span = {offset(first_), offset(at_)};
         return true;

@@ -111,6 +111,14 @@ constexpr std::uint8_t not_plain = 1 << 0, ///< the block needs the grammar
     first_own = 1 << 3;
 } // namespace plain_traits
 
+/// How the number of an address is written where nothing is to be said of it; a block with another one is not
+/// plain.
+struct PlainForm {
+    bool unsigned_only = false; ///< no minus
+    bool without_point = false;
+    std::uint8_t most_digits = UINT8_MAX; ///< before the point
+};
+
 /// What a byte, or the address that begins with it, is in a plain block.
 enum class PlainStart : std::uint8_t {
     not_plain,
@@ -145,6 +153,7 @@ struct PlainTables {
         AddressId id = 0;
         std::uint8_t which = 0;  ///< value: the group; code: the table in `codes`
         std::uint8_t traits = 0; ///< a code that has one of these, too, makes the block not plain
+        PlainForm form = {};     ///< of a number, axis, value or block number
     };
     std::array<Row, 256> bytes;
     std::vector<Row> pairs; ///< addresses of two capitals, see pair(); empty where there are none

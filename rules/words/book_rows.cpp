@@ -1,6 +1,8 @@
 //! Writes the rows of each code: of its words first, then of what is said of them.
 #include "rules/words/book_rows.hpp"
 
+#include "rules/words/address_book.hpp"
+#include "rules/words/book_language.hpp"
 #include "rules/words/code_pages.hpp"
 #include "rules/words/code_places.hpp"
 #include "rules/words/row_values.hpp"
@@ -22,19 +24,22 @@ class Writer {
         for (const CodeBook* book : all_code_books()) {
             std::vector<WordRow> rows;
             for (const CodePage& page : pages_of(*book)) add_rows(page, rows);
-            add_table(book->language, book->sections, std::move(rows));
+            add_table(book->empty_table(), std::move(rows));
         }
         for (const std::string_view language : languages_of_chapters())
-            add_table(language, {}, rows_of_places(language));
+            add_table({.language = language, .rows = {}}, rows_of_places(language));
+        for (const AddressBook* book : all_address_books())
+            add_table({.language = book->language, .rows = {}}, rows_of(*book));
         std::vector<const WordTable*> all;
         for (const WordTable& table : tables_) all.push_back(&table);
         return all;
     }
 
   private:
-    void add_table(std::string_view language, std::string_view sections, std::vector<WordRow> rows) {
+    void add_table(WordTable table, std::vector<WordRow> rows) {
         rows_.push_back(std::move(rows));
-        tables_.push_back({.language = language, .sections = sections, .rows = rows_.back()});
+        table.rows = rows_.back();
+        tables_.push_back(table);
     }
 
     /// Where the codes of a language have no place.
@@ -58,9 +63,13 @@ class Writer {
         row.says = says;
         row.code = page.head->row.code;
         row.sections = page.sections();
+        if (row.controls.empty()) row.controls = page.head->row.controls;
+        if (row.systems.empty()) row.systems = page.head->row.systems;
         if (row.effect.empty()) row.effect = usual_effect(says);
         if (row.means.empty()) row.means = meaning_on(page, row.words);
-        row.source = kept(std::string(page.book->source) + ":" + std::to_string(line.line));
+        row.source = line.source.empty()
+                         ? kept(std::string(page.book->source) + ":" + std::to_string(line.line))
+                         : line.source;
         return row;
     }
 
@@ -89,7 +98,7 @@ class Writer {
         only.unless_later = {}; // that is said of other sections
         only.aliases = {};      // and those are codes of rules on its place
         only.words = kept(std::move(words));
-        rows.push_back(only);
+        if (!foreign_words(page.book->language, only.words).empty()) rows.push_back(only);
     }
 
     void add_need(const CodePage& page, const BookLine& line, std::vector<WordRow>& rows) {
@@ -105,14 +114,8 @@ class Writer {
         if (line.need != Need::none)
             row.effect = usual_effect(RowStatement::values); // its own is of the need
         row.when = {};
+        row.kept = false; // wherever it stands
         rows.push_back(row);
-    }
-
-    static void clear_values(WordRow& row) {
-        row.values = {};
-        row.least = -unbounded;
-        row.most = unbounded;
-        row.above_least = row.below_most = false;
     }
 
     std::deque<std::string> texts_;

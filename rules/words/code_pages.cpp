@@ -3,6 +3,7 @@
 
 #include "analyzer/dialect/ascii.hpp"
 #include "analyzer/program/tables.hpp"
+#include "rules/words/row_place.hpp"
 #include "rules/words/word_list.hpp"
 
 #include <algorithm>
@@ -37,6 +38,19 @@ const std::multimap<PageOfCode, const CodePage*>& index() {
 }
 
 } // namespace
+
+bool CodeBook::is_of(const ControlModel& control) const {
+    return language == control.language && (!machine || *machine == control.machine) &&
+           is_one_of(control, controls, {});
+}
+
+bool CodePage::is_of(const ControlModel& control) const {
+    return book->is_of(control) && maclint::is_of(*head, control);
+}
+
+bool is_of(const BookLine& line, const ControlModel& control) {
+    return is_one_of(control, line.row.controls, line.row.systems);
+}
 
 std::vector<std::string_view> languages_of_chapters() {
     std::vector<std::string_view> languages;
@@ -80,7 +94,8 @@ bool has_all_codes(std::string_view language) {
 bool has_all_codes(const ControlModel& control) { return has_all_codes(control.language); }
 
 bool has_code_page(const ControlModel& control, char letter, double code) {
-    return index().contains({control.language, letter, code});
+    const auto [first, last] = index().equal_range({control.language, letter, code});
+    return std::any_of(first, last, [&](const auto& entry) { return entry.second->is_of(control); });
 }
 
 } // namespace maclint

@@ -19,7 +19,12 @@ struct CodePage {
     [[nodiscard]] std::string_view sections() const {
         return head->row.sections.empty() ? book->sections : head->row.sections;
     }
+    /// Whether the control has the code with these words.
+    [[nodiscard]] bool is_of(const ControlModel& control) const;
 };
+
+/// Whether a line under a code of the control's holds on it.
+[[nodiscard]] bool is_of(const BookLine& line, const ControlModel& control);
 
 /// Those that chapters are of, each once.
 [[nodiscard]] std::vector<std::string_view> languages_of_chapters();
@@ -29,7 +34,7 @@ struct CodePage {
 [[nodiscard]] std::span<const CodePage> all_code_pages();
 /// Those of one code, "G83", written as users do ("g083"); empty: no chapter has it.
 [[nodiscard]] std::vector<const CodePage*> pages_of_code(std::string_view language, std::string_view code);
-/// Whether a chapter of the control's language has the code, wherever it may stand.
+/// Whether a chapter of the control has the code, wherever it may stand.
 [[nodiscard]] bool has_code_page(const ControlModel& control, char letter, double code);
 /// Whether the chapters hold all G codes that the language's manual knows.
 [[nodiscard]] bool has_all_codes(std::string_view language);

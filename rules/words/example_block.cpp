@@ -1,8 +1,9 @@
 //! Finds the rows of a code, and writes its block.
 #include "rules/words/example_block.hpp"
 
+#include "rules/words/book_language.hpp"
 #include "rules/words/example_frames.hpp"
-#include "rules/words/row_of_block.hpp"
+#include "rules/words/row_place.hpp"
 #include "rules/words/word_list.hpp"
 
 #include <algorithm>
@@ -11,21 +12,16 @@ namespace maclint {
 
 std::string_view first_of(std::string_view list) { return words_of(list).front(); }
 
-ExampleBlock::ExampleBlock(const WordTable& table, std::string_view control, std::string_view code,
-                           std::string_view section)
-    : language_(table.language)
+ExampleBlock::ExampleBlock(const ControlModel& control, std::string_view code, std::string_view section)
+    : control_(control)
     , code_(code) {
     for (const RuleRow& rule_row : all_rule_rows())
         for (const RowForCode& row : rule_row.rows) {
-            if (row.table->language != language_ || row.letter != code.front() ||
-                row.code != code_number_of(code))
+            if (row.letter != code.front() || row.code != code_number_of(code) || !is_of(row, control))
                 continue;
             const std::string_view sections =
                 row.row->sections.empty() ? row.table->sections : row.row->sections;
-            const bool there = sections.empty() || section.empty() || has_word(sections, section);
-            const bool of_control =
-                row.row->controls.empty() || control.empty() || has_word(row.row->controls, control);
-            if (there && of_control) rows_.push_back(row.row);
+            if (sections.empty() || section.empty() || has_word(sections, section)) rows_.push_back(row.row);
         }
 }
 
@@ -50,16 +46,15 @@ std::string ExampleBlock::value_of(std::string_view address) const {
     for (const WordRow* row : rows_)
         if (row->says == RowStatement::values && row->when.empty() && has_word(row->words, address))
             return allowed_value(*row);
-    return has_word(frame_of(language_).with_point, address) ? "10." : "2";
+    return has_word(frame_of(control_).with_point, address) ? "10." : "2";
 }
 
 /// An address that the code does not take, and no move that goes on.
 std::string ExampleBlock::foreign_word() const {
     for (const WordRow* row : rows_)
         if (row->says == RowStatement::takes_only)
-            for (const char letter : std::string_view("QHVWDBEJUROPCA"))
-                if (!has_word(row->words, std::string_view(&letter, 1))) return {letter};
-    return "QK";
+            return std::string(first_of(foreign_words(control_.language, row->words)));
+    return std::string(words_of(book_language(control_.language).of_codes).back());
 }
 
 std::string ExampleBlock::written(const ExampleWords& words) const {

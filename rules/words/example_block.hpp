@@ -14,8 +14,7 @@ namespace maclint {
 class ExampleBlock {
   public:
     /// `section`: its name with '_' for blanks; empty where sections do not matter.
-    ExampleBlock(const WordTable& table, std::string_view control, std::string_view code,
-                 std::string_view section);
+    ExampleBlock(const ControlModel& control, std::string_view code, std::string_view section);
 
     /// "G83 X10. Q5.", without the end of its line; nullptr: it keeps every row.
     [[nodiscard]] std::string text(const WordRow* broken = nullptr) const;
@@ -34,7 +33,7 @@ class ExampleBlock {
     [[nodiscard]] std::string foreign_word() const;
     [[nodiscard]] std::string written(const ExampleWords& words) const;
 
-    std::string_view language_;
+    const ControlModel& control_;
     std::string code_;
     std::vector<const WordRow*> rows_; ///< of the code
 };

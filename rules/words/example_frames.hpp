@@ -1,5 +1,7 @@
-//! What stands around the block of an example, a row a language.
+//! What stands around the block of an example, a row a language and machine.
 #pragma once
+
+#include "analyzer/program/tables.hpp"
 
 #include <algorithm>
 #include <array>
@@ -10,6 +12,7 @@ namespace maclint {
 /// How a language writes the program around a block.
 struct ExampleFrame {
     std::string_view language;
+    Machine machine;
     std::string_view head, tail;
     std::string_view main_section; ///< that a program must have; empty: there are no sections
     std::string_view with_point;   ///< addresses whose numbers have one
@@ -17,13 +20,22 @@ struct ExampleFrame {
     std::string_view arc;          ///< a block that is none, without the end of its line
 };
 inline constexpr std::array example_frames = {
-    ExampleFrame{"fanuc", "O1(EXAMPLE)\nG90 G54 G0 X0 Y0\n", "G40 G80\nM30\n", "",
+    ExampleFrame{"fanuc", Machine::mill, "O1(EXAMPLE)\nG90 G54 G0 X0 Y0\n", "G40 G80\nM30\n", "",
                  "A B C F I J K Q R U V W X Y Z", " X10. Y20.", "G2 X20. Y30. R10."},
-    ExampleFrame{"dinplus", "MACHINING\n", "END\n", "MACHINING", "", " X50 Z5", "G2 X60 Z0 R5"},
+    ExampleFrame{"fanuc", Machine::lathe, "O1(EXAMPLE)\nG0 X100. Z100.\n", "M30\n", "",
+                 "A B C F I J K R U V W X Y Z", " X10. Z20.", "G2 X20. Z30. R10."},
+    ExampleFrame{"dinplus", Machine::lathe, "MACHINING\n", "END\n", "MACHINING", "", " X50 Z5",
+                 "G2 X60 Z0 R5"},
 };
 
-[[nodiscard]] constexpr const ExampleFrame& frame_of(std::string_view language) {
-    return *std::ranges::find(example_frames, language, &ExampleFrame::language);
+/// Of the language, and of the machine where that makes a difference.
+[[nodiscard]] inline const ExampleFrame& frame_of(const ControlModel& control) {
+    const auto* const frame = std::ranges::find_if(example_frames, [&](const ExampleFrame& one) {
+        return one.language == control.language && one.machine == control.machine;
+    });
+    return frame != example_frames.end()
+               ? *frame
+               : *std::ranges::find(example_frames, control.language, &ExampleFrame::language);
 }
 
 } // namespace maclint

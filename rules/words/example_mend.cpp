@@ -62,6 +62,9 @@ void ExampleBlock::begin_with(ExampleWords& words, const WordRow& row, bool kept
     case RowStatement::whole:
         words.add(first_of(row.words), value_of(first_of(row.words)) + (kept ? "" : "."));
         break;
+    case RowStatement::digits:
+        words.add(first_of(row.words), kept ? value_of(first_of(row.words)) : "123456789012");
+        break;
     case RowStatement::alone:
         if (!kept) words.add("S", "500");
         break;

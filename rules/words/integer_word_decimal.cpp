@@ -19,7 +19,9 @@ extern const Rule integer_word_decimal{
            " number than the one that was meant.",
     .severity = Severity::warning,
     .precision = Precision::high,
-    .messages = {{"point", "Decimal point in '{0}' of {1}: {2}.", "Write the number without a point."}},
+    .messages = {{"point", "Decimal point in '{0}' of {1}: {2}.", "Write the number without a point."},
+                 {"of_address", "Decimal point in '{0}', a whole number: {2}.",
+                  "Write the number without a point."}},
     .bad = {{"fanuc", R"nc(
 O9551(CHANGE)
 G91 G30 P2. Z0
@@ -41,7 +43,7 @@ void check(const RowOfBlock& block, Reporter& reporter) {
     for (const Word* word : block.own(row.words)) {
         const auto* value = std::get_if<Literal>(&word->value);
         if (value == nullptr || !value->decimal_point) continue;
-        block.report(reporter, *word, "point",
+        block.report(reporter, *word, block.is_of_address() ? "of_address" : "point",
                      {block.text_of(*word), block.text_of(block.code), std::string(row.effect)});
     }
 }

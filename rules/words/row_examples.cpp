@@ -1,6 +1,7 @@
 //! Writes a block that keeps every row of its code, and the same with one of them broken.
 #include "rules/words/row_examples.hpp"
 
+#include "analyzer/dialect/dialect.hpp"
 #include "rules/words/code_pages.hpp"
 #include "rules/words/example_block.hpp"
 #include "rules/words/example_frames.hpp"
@@ -13,17 +14,31 @@
 namespace maclint {
 namespace {
 
+/// The first control that the row is for.
+const ControlModel& example_control(const RowForCode& row) {
+    const std::string_view names = row.row->controls.empty() ? row.table->controls : row.row->controls;
+    const ControlModel* control =
+        find_control(names.empty() ? find_dialect(row.table->language)->default_control : first_of(names));
+    if (row.table->machine == Machine::lathe && control->machine != Machine::lathe)
+        control = control->lathe_of(row.row->systems.empty() ? 'A' : row.row->systems.front());
+    return *control;
+}
+
 /// Writes programs round blocks with the code of a row.
 class ProgramWriter {
   public:
     explicit ProgramWriter(const RowForCode& row)
         : of_code_(row)
         , row_(*row.row)
-        , frame_(frame_of(row.table->language))
+        , control_(example_control(row))
+        , frame_(frame_of(control_))
         , section_(section_of(row))
         , block_(block_with(code_of(row))) {}
 
+    [[nodiscard]] const ControlModel& control() const { return control_; }
+
     [[nodiscard]] std::string program(bool kept) const {
+        if (of_code_.is_of_address()) return start() + of_address(kept) + "\n" + end(section_);
         if (row_.says == RowStatement::refused && row_.under.empty()) return in_section(kept);
         std::string text = start();
         if (row_.says == RowStatement::refused && !kept)
@@ -40,9 +55,13 @@ class ProgramWriter {
         const std::string_view list = row.row->sections.empty() ? row.table->sections : row.row->sections;
         return list.empty() ? list : first_of(list);
     }
-    [[nodiscard]] ExampleBlock block_with(std::string_view code) const {
-        const auto controls = words_of(row_.controls);
-        return {*of_code_.table, controls.empty() ? "" : controls.front(), code, section_};
+    [[nodiscard]] ExampleBlock block_with(std::string_view code) const { return {control_, code, section_}; }
+    [[nodiscard]] std::string of_address(bool kept) const {
+        const std::string address(row_.words);
+        if (row_.says == RowStatement::whole) return address + (kept ? "8" : "8.");
+        if (row_.says == RowStatement::values)
+            return address + (kept ? allowed_value(row_) : refused_value(row_));
+        return address + std::string(static_cast<std::size_t>(row_.most) + (kept ? 0 : 1), '1');
     }
     [[nodiscard]] static std::string heading(std::string_view section) {
         std::string name(section);
@@ -63,11 +82,10 @@ class ProgramWriter {
         if (!kept) return start() + code_of(of_code_) + "\n" + end(section_);
         const auto pages = pages_of_code(of_code_.table->language, code_of(of_code_));
         const std::string_view section = first_of(pages.front()->sections());
-        const ExampleBlock block(*of_code_.table, {}, code_of(of_code_), section);
+        const ExampleBlock block(control_, code_of(of_code_), section);
         const WordRow* order = block.order();
         std::string text = heading(section) + block.text() + "\n";
-        if (order != nullptr)
-            text += ExampleBlock(*of_code_.table, {}, first_of(order->others), section).text() + "\n";
+        if (order != nullptr) text += ExampleBlock(control_, first_of(order->others), section).text() + "\n";
         return text + end(section);
     }
 
@@ -86,7 +104,7 @@ class ProgramWriter {
     [[nodiscard]] std::string other_code_than(std::string_view codes) const {
         for (const CodePage& page : all_code_pages()) {
             const std::string_view code = first_of(page.head->row.code);
-            if (page.book->language != of_code_.table->language || !has_word(page.sections(), section_) ||
+            if (!page.is_of(control_) || !has_word(page.sections(), section_) ||
                 code.front() != of_code_.letter || has_word(codes, code) || code == code_of(of_code_))
                 continue;
             const ExampleBlock block = block_with(code);
@@ -97,6 +115,7 @@ class ProgramWriter {
 
     const RowForCode& of_code_;
     const WordRow& row_;
+    const ControlModel& control_;
     const ExampleFrame& frame_;
     std::string_view section_;
     ExampleBlock block_;
@@ -106,9 +125,9 @@ class ProgramWriter {
 
 RowExamples examples_of(const RowForCode& row) {
     const ProgramWriter writer(row);
-    const auto controls = words_of(row.row->controls);
-    return {std::string(row.table->language), controls.empty() ? "" : std::string(controls.front()),
-            writer.program(false), writer.program(true)};
+    const bool is_usual = find_dialect(row.table->language)->default_control == writer.control().name;
+    return {std::string(row.table->language), is_usual ? "" : writer.control().name, writer.program(false),
+            writer.program(true)};
 }
 
 } // namespace maclint

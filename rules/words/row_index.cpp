@@ -3,8 +3,8 @@
 
 #include "analyzer/program/block_view.hpp"
 #include "analyzer/program/tables.hpp"
+#include "rules/words/book_language.hpp"
 #include "rules/words/code_pages.hpp"
-#include "rules/words/row_of_block.hpp"
 #include "rules/words/row_place.hpp"
 #include "rules/words/scanned.hpp"
 #include "rules/words/word_list.hpp"
@@ -42,38 +42,29 @@ std::int64_t code_number(const Word& word) {
                                                           : code_number(word.address.front(), literal->value);
 }
 
-/// Whether the row can be wrong in one of several blocks with its code: `any` are the addresses of all of
-/// them, `all` those that each holds.
-bool can_be_wrong(const RowIndex::Entry& entry, syntax::AddressSet any, syntax::AddressSet all) {
-    switch (entry.row->row->says) {
-    case RowStatement::needs: return !all.meets(entry.words);
-    case RowStatement::takes_not:
-    case RowStatement::values:
-    case RowStatement::whole: return any.meets(entry.maybe_words);
-    case RowStatement::excludes: return any.meets(entry.maybe_words) && any.meets(entry.maybe_others);
-    case RowStatement::only_with: return any.meets(entry.maybe_words) && !all.meets(entry.others);
-    case RowStatement::takes_only: return !any.without(entry.words).empty();
-    case RowStatement::alone:
-    case RowStatement::apart:
-    case RowStatement::precedes:
-    case RowStatement::refused: return true;
-    }
-    return true;
-}
+/// Of an address of one capital letter, in the table of rows of addresses.
+std::size_t place_of(std::string_view address) { return static_cast<std::size_t>(address.front() - 'A'); }
 
 } // namespace
 
 RowIndex::RowIndex(const ControlModel& control, std::string_view section, const syntax::PlainTables* tables,
-                   std::span<const RuleRow* const> rows) {
+                   std::span<const RuleRow* const> rows)
+    : words_of_codes_(control, section) {
     for (const RuleRow* rule_row : rows) {
         if (!applies_to(*rule_row->rule, control)) continue;
         for (const RowForCode& row : rule_row->rows) {
             if (!holds_in(row, control, section)) continue;
+            is_empty_ = false;
+            if (row.is_of_address()) {
+                of_addresses_[place_of(row.row->words)].push_back({rule_row, &row, -1, {}, {}, {}, {}});
+                if (tables != nullptr) addresses_.add(scanned_maybe(*tables, row.row->words));
+                continue;
+            }
             Entry entry{rule_row, &row, code_number(row.letter, row.code), {}, {}, {}, {}};
             if (tables != nullptr) {
                 entry.words = scanned_surely(*tables, row.row->words);
                 if (row.row->says == RowStatement::takes_only)
-                    entry.words.add(scanned_surely(*tables, any_code_takes));
+                    entry.words.add(scanned_surely(*tables, book_language(control.language).any_code_takes));
                 entry.others = scanned_surely(*tables, row.row->others);
                 entry.maybe_words = scanned_maybe(*tables, row.row->words);
                 entry.maybe_others = scanned_maybe(*tables, row.row->others);
@@ -86,15 +77,6 @@ RowIndex::RowIndex(const ControlModel& control, std::string_view section, const 
         }
     }
     std::ranges::stable_sort(entries_, {}, &Entry::code);
-    for (const CodePage& page : all_code_pages()) {
-        if (page.book->language != control.language) continue;
-        if (section != unknown_section && !stands_in(page.sections(), section)) continue;
-        for (const std::string_view code : words_of(page.head->row.code)) {
-            auto& words = words_of_codes_[code_number(code.front(), code_number_of(code))];
-            for (const BookLine& line : page.lines)
-                if (line.kind == BookLine::Kind::word) words.push_back(line.row.words);
-        }
-    }
 }
 
 std::vector<LetterCodes> RowIndex::codes_wanted(const Program& program, const PlainRun& run) const {
@@ -104,14 +86,15 @@ std::vector<LetterCodes> RowIndex::codes_wanted(const Program& program, const Pl
     for (const CodeWords& beside :
          std::span(program.code_words).subspan(run.beside_codes.first, run.beside_codes.count))
         for (const Entry& entry : by_kind_[beside.kind])
-            if (can_be_wrong(entry, beside.any, beside.all)) add_code(wanted, *entry.row);
+            if (entry.can_be_wrong(beside.any, beside.all)) add_code(wanted, *entry.row);
     return wanted;
 }
 
 bool RowIndex::wants_block(const WordSummary& block) const {
+    if (block.addresses.meets(addresses_)) return true;
     return block.codes.any_common(codes_, [&](syntax::CodeSet::Kind kind) {
         return std::ranges::any_of(by_kind_[kind], [&](const Entry& entry) {
-            return can_be_wrong(entry, block.addresses, block.addresses);
+            return entry.can_be_wrong(block.addresses, block.addresses);
         });
     });
 }
@@ -123,9 +106,9 @@ std::span<const RowIndex::Entry> RowIndex::rows_at(const Word& word) const {
     return {first, last};
 }
 
-const std::vector<std::string_view>* RowIndex::words_of_code(const Word& word) const {
-    const auto found = words_of_codes_.find(code_number(word));
-    return found == words_of_codes_.end() ? nullptr : &found->second;
+std::span<const RowIndex::Entry> RowIndex::rows_at_address(const Word& word) const {
+    if (word.address.size() != 1 || word.address.front() < 'A' || word.address.front() > 'Z') return {};
+    return of_addresses_[place_of(word.address)];
 }
 
 } // namespace maclint

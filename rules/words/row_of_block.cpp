@@ -2,8 +2,10 @@
 #include "rules/words/row_of_block.hpp"
 
 #include "analyzer/program/tables.hpp"
+#include "analyzer/queries/modes_at.hpp"
 #include "analyzer/workspace/program_analysis.hpp"
 #include "rules/path.hpp"
+#include "rules/words/book_language.hpp"
 #include "rules/words/row_index.hpp"
 #include "rules/words/word_list.hpp"
 
@@ -20,6 +22,7 @@ const Word* RowOfBlock::find(std::string_view addresses) const {
 }
 
 std::vector<const Word*> RowOfBlock::own(std::string_view addresses) const {
+    if (is_of_address()) return {&code};
     std::vector<const Word*> found;
     for (const Word& word : block.words)
         if (&word != &code && word.has_value() && has_word(addresses, word.address) &&
@@ -28,14 +31,32 @@ std::vector<const Word*> RowOfBlock::own(std::string_view addresses) const {
     return found;
 }
 
+bool RowOfBlock::is_taken_anywhere(const Word& word) const {
+    return has_word(book_language(of_code.table->language).any_code_takes, word.address);
+}
+
 bool RowOfBlock::may_belong_to_another(const Word& word) const {
-    if (!index.knows_codes()) return queries::may_belong_to_another(block, code, word);
-    return std::ranges::any_of(block.words, [&](const Word& other) {
+    if (index.words_of_codes().empty()) return queries::may_belong_to_another(block, code, word);
+    const bool beside = std::ranges::any_of(block.words, [&](const Word& other) {
         if (&other == &code || (other.address != "G" && other.address != "M")) return false;
-        if (has_word(any_code_takes, word.address)) return true;
-        const auto* words = index.words_of_code(other);
-        return words == nullptr || std::ranges::find(*words, word.address) != words->end();
+        return is_taken_anywhere(word) || index.words_of_codes().may_take(other, word.address);
     });
+    return beside || (book_language(of_code.table->language).codes_go_on && may_go_on_to(word));
+}
+
+/// Whether a code in force before may take the word: a cycle, a move.
+bool RowOfBlock::may_go_on_to(const Word& word) const {
+    const ControlModel& control = block.analysis.control();
+    for (const ModalRole role : {ModalRole::motion, ModalRole::cycle}) {
+        const auto group = control.group_with(role);
+        if (!group) continue;
+        queries::BlockModes modes = block.modes_at(block.block);
+        const queries::Modes now = modes.with_words(*group);
+        const auto code = now.sure_code();
+        if (!code || index.words_of_codes().may_take(control.groups[*group].letter, *code, word.address))
+            return true;
+    }
+    return false;
 }
 
 std::string RowOfBlock::code_of(const Word& word) {

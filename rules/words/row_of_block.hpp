@@ -13,17 +13,13 @@ namespace maclint {
 
 class RowIndex;
 
-/// Words that any block takes, whatever its codes: codes, the tool and what goes with the spindle and the
-/// feed.
-inline constexpr std::string_view any_code_takes = "G M T N F S";
-
 /// Good as long as the check runs.
 struct RowOfBlock {
     const queries::WordsOfBlock& block;
     const RowIndex& index;
     const RuleRow& rule_row;
     const RowForCode& of_code;
-    const Word& code;  ///< the word of the block that is the row's code
+    const Word& code;  ///< the word of the block that is the row's code, or has its address
     std::string under; ///< the code of WordRow::under that is in force; empty where the row names none
 
     [[nodiscard]] const WordRow& row() const { return *of_code.row; }
@@ -33,7 +29,11 @@ struct RowOfBlock {
     /// The words with one of the addresses and a value that surely belong to the code, in the order of the
     /// text.
     [[nodiscard]] std::vector<const Word*> own(std::string_view addresses) const;
-    /// Whether a word may belong to another code of the block.
+    /// The row is of an address, whatever codes stand beside it; `code` is its word.
+    [[nodiscard]] bool is_of_address() const { return of_code.is_of_address(); }
+    /// Whether any block takes the word, whatever its codes.
+    [[nodiscard]] bool is_taken_anywhere(const Word& word) const;
+    /// Whether a word may belong to another code of the block, or to one that has gone on from before.
     [[nodiscard]] bool may_belong_to_another(const Word& word) const;
     /// "G40", as rows name codes, of a word whose value is written; empty for a word that is no code.
     [[nodiscard]] static std::string code_of(const Word& word);
@@ -43,6 +43,9 @@ struct RowOfBlock {
     /// Reports the row at a word of the block: with its severity and the alarm of the control.
     Finding& report(Reporter& reporter, const Word& word, std::string_view message_id,
                     std::vector<std::string> arguments) const;
+
+  private:
+    [[nodiscard]] bool may_go_on_to(const Word& word) const;
 };
 
 } // namespace maclint

@@ -67,7 +67,8 @@ RowPass::RowPass(std::span<const Rule* const> rules) {
 void RowPass::look_at(const queries::WordsOfBlock& block, const RowIndex& index) {
     if (index.empty()) return;
     for (const Word& word : block.words)
-        for (const RowIndex::Entry& entry : index.rows_at(word)) look_at(block, index, entry, word);
+        for (const auto entries : {index.rows_at(word), index.rows_at_address(word)})
+            for (const RowIndex::Entry& entry : entries) look_at(block, index, entry, word);
 }
 
 void RowPass::look_at(const queries::WordsOfBlock& block, const RowIndex& index, const RowIndex::Entry& entry,

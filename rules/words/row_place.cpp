@@ -19,20 +19,31 @@ bool has_one_page(std::string_view language, const RowForCode& row) {
 
 } // namespace
 
+bool is_one_of(const ControlModel& control, std::string_view controls, std::string_view systems) {
+    const bool named =
+        controls.empty() || has_word(controls, control.name) || has_word(controls, control.model);
+    return named && (systems.empty() || control.code_system == 0 ||
+                     systems.find(control.code_system) != std::string_view::npos);
+}
+
 bool stands_in(std::string_view sections, std::string_view section) {
     std::string name(section);
     std::ranges::replace(name, ' ', '_');
     return sections.empty() || has_word(sections, name);
 }
 
-bool holds_in(const RowForCode& code, const ControlModel& control, std::string_view section) {
+bool is_of(const RowForCode& code, const ControlModel& control) {
     const WordTable& table = *code.table;
-    const WordRow& row = *code.row;
     if (table.language != control.language || (table.machine && *table.machine != control.machine))
         return false;
-    if (!row.controls.empty() && !has_word(row.controls, control.name) &&
-        !has_word(row.controls, control.model))
-        return false;
+    return is_one_of(control, code.row->controls.empty() ? table.controls : code.row->controls,
+                     code.row->systems);
+}
+
+bool holds_in(const RowForCode& code, const ControlModel& control, std::string_view section) {
+    if (!is_of(code, control)) return false;
+    const WordTable& table = *code.table;
+    const WordRow& row = *code.row;
     const std::string_view sections = row.sections.empty() ? table.sections : row.sections;
     if (section == unknown_section && !sections.empty())
         return row.says != RowStatement::refused && row.unless_later.empty() &&

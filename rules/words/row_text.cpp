@@ -12,7 +12,17 @@
 namespace maclint {
 namespace {
 
+/// Of an address, whatever codes stand beside it.
+std::string address_in_words(const WordRow& row) {
+    const std::string words = words_with_meaning(row);
+    if (row.says == RowStatement::whole) return words + " has no decimal point; with one ";
+    if (row.says == RowStatement::digits)
+        return words + " has " + number_word(row.most) + " digits before its point at most; with more ";
+    return words + " is " + values_allowed_by(row) + "; else ";
+}
+
 std::string rule_in_words(const RowForCode& of_code) {
+    if (of_code.is_of_address()) return address_in_words(*of_code.row);
     const WordRow& row = *of_code.row;
     const std::string code = code_of(of_code);
     const std::string words = words_with_meaning(row);
@@ -30,6 +40,9 @@ std::string rule_in_words(const RowForCode& of_code) {
         return code + " takes " + words + " of " + values_allowed_by(row) +
                (row.effect == no_other_value ? ": " : "; else ");
     case RowStatement::whole: return words + " of " + code + " has no decimal point; with one ";
+    case RowStatement::digits:
+        return words + " of " + code + " has " + number_word(row.most) +
+               " digits before its point at most; with more ";
     case RowStatement::alone:
         return code + " stands alone in its block" +
                (row.words.empty() ? ": " : ", beside " + either_of(row.words) + " at most: ");

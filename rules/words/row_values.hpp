@@ -65,4 +65,11 @@ constexpr void set_values(WordRow& row, std::string_view takes) {
     return !row.values.empty() || row.least != -unbounded || row.most != unbounded;
 }
 
+constexpr void clear_values(WordRow& row) {
+    row.values = {};
+    row.least = -unbounded;
+    row.most = unbounded;
+    row.above_least = row.below_most = false;
+}
+
 } // namespace maclint

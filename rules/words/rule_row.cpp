@@ -24,6 +24,7 @@ std::string joined(std::string_view list, std::string_view separator) {
 /// beside which or before which it must not stand, the first.
 std::string key_of(const RowForCode& code) {
     const WordRow& row = *code.row;
+    if (code.is_of_address()) return std::string(row.words);
     std::string key = code_of(code);
     const bool must_not_precede = row.says == RowStatement::precedes && row.others.empty();
     const bool names_words = row.says != RowStatement::takes_only && row.says != RowStatement::refused &&

@@ -15,8 +15,11 @@ namespace maclint {
 struct RowForCode {
     const WordTable* table;
     const WordRow* row;
-    char letter; ///< 'G'
+    char letter; ///< 'G'; '*' of an address
     double code; ///< 83, 54.1
+
+    /// The row is of an address, whatever codes stand beside it.
+    [[nodiscard]] bool is_of_address() const { return letter == '*'; }
 };
 
 /// All rows of a rule that share a key: one for each control, or group of controls, that differs.

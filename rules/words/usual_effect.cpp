@@ -11,6 +11,7 @@ std::string_view usual_effect(RowStatement says) {
     case RowStatement::excludes: return "each says the same in its own way";
     case RowStatement::only_with: return "without it the word says nothing";
     case RowStatement::values: return no_other_value;
+    case RowStatement::digits:
     case RowStatement::whole: return "it counts";
     case RowStatement::alone: return "it is programmed in a block of its own";
     case RowStatement::apart: return "the control takes one of them";

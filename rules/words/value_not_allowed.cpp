@@ -23,7 +23,8 @@ extern const Rule value_not_allowed{
         " something else than was meant.",
     .severity = Severity::warning,
     .precision = Precision::high,
-    .messages = {{"outside", "Value '{0}' beside {1}, which takes {2} of {3}: {4}.", "Write {2} of {3}."}},
+    .messages = {{"outside", "Value '{0}' beside {1}, which takes {2} of {3}: {4}.", "Write {2} of {3}."},
+                 {"of_address", "Value '{0}', where {2} takes {3}: {4}.", "Write {2} of {3}."}},
     .bad = {{"dinplus", R"nc(
 %TULO.NC
 MACHINING
@@ -47,7 +48,7 @@ void check(const RowOfBlock& block, Reporter& reporter) {
     for (const Word* word : block.own(row.words)) {
         const auto* value = std::get_if<Literal>(&word->value);
         if (value == nullptr || word->incremental || takes(row, value->value)) continue;
-        block.report(reporter, *word, "outside",
+        block.report(reporter, *word, block.is_of_address() ? "of_address" : "outside",
                      {block.text_of(*word), block.text_of(block.code), std::string(word->address),
                       values_allowed_by(row), std::string(row.effect)});
     }

@@ -1,4 +1,5 @@
 //! MAC581: a word that the manual does not list for a code.
+#include "rules/words/book_language.hpp"
 #include "rules/words/row_index.hpp"
 #include "rules/words/row_of_block.hpp"
 #include "rules/words/word_list.hpp"
@@ -48,7 +49,7 @@ namespace {
 bool speaks_for_block(const RowOfBlock& block) {
     for (const Word& word : block.block.words) {
         if (&word == &block.code) return true;
-        if (has_word("G M", word.address) && block.index.words_of_code(word) != nullptr) return false;
+        if (has_word("G M", word.address) && block.index.words_of_codes().know(word)) return false;
     }
     return true;
 }
@@ -56,6 +57,7 @@ bool speaks_for_block(const RowOfBlock& block) {
 /// Whether a move, or an element of a contour, of the blocks before may go on in the block, whatever other
 /// code stands there: its words are then not those of the code. [SEED-003:10297, 11073, 12680, 18040]
 bool may_hold_move_that_goes_on(const RowOfBlock& block) {
+    if (book_language(block.of_code.table->language).codes_go_on) return false; // they are asked one by one
     const Word* axis = block.find("X Y Z I K");
     return axis != nullptr && !has_word(block.row().words, axis->address) &&
            !block.may_belong_to_another(*axis);
@@ -66,8 +68,9 @@ void check(const RowOfBlock& block, Reporter& reporter) {
     if (!speaks_for_block(block) || may_hold_move_that_goes_on(block)) return;
     for (const Word& word : block.block.words) {
         if (!word.has_value()) continue; // MAC109 speaks of that, or MAC106 of its letter O
-        if (has_word(any_code_takes, word.address) || has_word(row.words, word.address) ||
-            block.may_belong_to_another(word))
+        if (block.is_taken_anywhere(word) ||
+            block.index.words_of_codes().may_take(block.code, word.address) ||
+            has_word(row.words, word.address) || block.may_belong_to_another(word))
             continue;
         block.report(
             reporter, word, row.words.empty() ? "wordless" : "unlisted",

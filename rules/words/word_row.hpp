@@ -23,7 +23,8 @@ struct RowAlarm {
 /// Lists are separated by blanks.
 struct WordRow {
     RowStatement says; ///< what is said of `words`; each kind is a rule of its own
-    /// "G83", or several that say the same: each has a key of its own.
+    /// "G83", or several that say the same: each has a key of its own. "*": of `words`, a single address, in
+    /// any block.
     std::string_view code;
     std::string_view words = {}; ///< addresses: "Q", "X Y Z"; of what precedes, codes that must not follow
     /// Addresses, beside which "O=1|2" is one with such a value; of what precedes or stands apart, codes.
@@ -52,6 +53,7 @@ struct WordRow {
     /// Only on controls of these names or models; empty: on all of the table. One that nobody has named is
     /// "fanuc".
     std::string_view controls = {};
+    std::string_view systems = {}; ///< of a lathe: "A", "BC"; empty: any
     bool kept =
         false; ///< the words stay while a code of its group is in force: only its first block needs them
     bool in_calls = false; ///< also in blocks that call a program: its code does
@@ -72,6 +74,7 @@ struct WordTable {
     std::string_view language;           ///< of the control: "fanuc"
     std::optional<Machine> machine = {}; ///< nothing: of mills and lathes
     std::string_view sections = {};      ///< where a row names none; empty: any
+    std::string_view controls = {};      ///< where a row names none; empty: any
     std::span<const WordRow> rows;
 };
 

@@ -70,7 +70,7 @@ TEST(RuleWords, OfAMistypedKeyAreTheNearestOnes) {
     EXPECT_EQ(advice_for("MAC551/G83.Q"), " Did you mean 'MAC523/G83.Q'?") << "of another rule";
     EXPECT_EQ(advice_for("MAC576/G48"), " Did you mean 'MAC576/G48.A' or 'MAC576/G48.D'?");
     EXPECT_EQ(advice_for("MAC301/G83.Z"), " Did you mean 'MAC301'?") << "a rule without rows";
-    EXPECT_EQ(advice_for("MAC523/Q"), " See 'maclint explain MAC523' for its rows.");
+    EXPECT_EQ(advice_for("MAC523/QQ"), " See 'maclint explain MAC523' for its rows.");
     EXPECT_EQ(advice_for("HOUSE/RULE"), " See 'maclint rules' for the list.");
 }
 

@@ -46,12 +46,22 @@ PlainTables plain_tables(const CodeTable& codes) {
     set_bytes(tables, " \t", PlainStart::blank);
     set_bytes(tables, "\r\n;", PlainStart::end);
     set_bytes(tables, "(", PlainStart::comment);
-    set(tables, "ABCIJKUVWXYZ", {.start = PlainStart::axis});
-    set(tables, "DEHLPQRT", {.start = PlainStart::number});
+    // Numbers of other forms are looked at one by one.
+    constexpr std::uint8_t most_digits = 8;
+    constexpr syntax::PlainForm any{.most_digits = most_digits};
+    constexpr syntax::PlainForm whole{
+        .unsigned_only = true, .without_point = true, .most_digits = most_digits};
+    set(tables, "ABCIJKUVWXYZ", {.start = PlainStart::axis, .form = any});
+    set(tables, "EPQR", {.start = PlainStart::number, .form = any});
+    set(tables, "DHLT", {.start = PlainStart::number, .form = whole});
     set(tables, "G", {.start = PlainStart::code, .which = 0});
-    set(tables, "M", {.start = PlainStart::code, .which = 1});
-    set(tables, "F", {.start = PlainStart::value, .which = codes.feed});
-    set(tables, "S", {.start = PlainStart::value, .which = codes.speed, .traits = speed_as_limit});
+    set(tables, "M", {.start = PlainStart::code, .which = 1, .form = whole});
+    set(tables, "F",
+        {.start = PlainStart::value,
+         .which = codes.feed,
+         .form = {.unsigned_only = true, .most_digits = most_digits}});
+    set(tables, "S",
+        {.start = PlainStart::value, .which = codes.speed, .traits = speed_as_limit, .form = whole});
     set(tables, "N", {.start = PlainStart::block_number});
     if (codes.tool_changes_at_once) set(tables, "T", {});
     for (std::size_t i = 0; i < letters.size(); ++i) tables.names[i] = letters.substr(i, 1);

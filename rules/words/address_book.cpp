@@ -1,0 +1,69 @@
+//! Writes the rows of addresses.
+#include "rules/words/address_book.hpp"
+
+#include "rules/words/word_list.hpp"
+
+#include <algorithm>
+#include <array>
+
+namespace maclint {
+namespace address_books {
+
+extern const AddressBook fanuc;
+
+} // namespace address_books
+
+std::span<const AddressBook* const> all_address_books() {
+    static constexpr std::array list = {&address_books::fanuc};
+    return list;
+}
+
+namespace {
+
+WordRow row_of(const AddressLine& line, std::string_view address, RowStatement says,
+               std::span<const RowAlarm> alarms, std::string_view effect) {
+    WordRow row{.says = says,
+                .code = "*",
+                .words = address,
+                .controls = line.controls,
+                .systems = line.systems,
+                .means = line.means,
+                .effect = effect,
+                .severity = line.severity,
+                .source = line.source};
+    std::ranges::copy(alarms, row.alarms.begin());
+    return row;
+}
+
+/// Rows from `first` on once more for a control that nobody has named, where they warn.
+void add_milder(std::vector<WordRow>& rows, std::size_t first, std::string_view assumed) {
+    for (std::size_t i = first, end = rows.size(); i < end; ++i) {
+        rows.push_back(rows[i]);
+        rows.back().controls = assumed;
+        rows.back().severity = Severity::warning;
+    }
+}
+
+} // namespace
+
+std::vector<WordRow> rows_of(const AddressBook& book) {
+    std::vector<WordRow> rows;
+    for (const AddressLine& line : book.lines)
+        for (const std::string_view address : words_of(line.addresses)) {
+            const std::size_t first = rows.size();
+            if (line.whole)
+                rows.push_back(row_of(line, address, RowStatement::whole, book.point, "the control stops"));
+            if (line.positive) {
+                rows.push_back(row_of(line, address, RowStatement::values, book.minus, "the control stops"));
+                rows.back().least = 0;
+            }
+            if (line.most_digits != 0) {
+                rows.push_back(row_of(line, address, RowStatement::digits, book.digits, "the control stops"));
+                rows.back().most = line.most_digits;
+            }
+            if (line.severity == Severity::error) add_milder(rows, first, book.assumed);
+        }
+    return rows;
+}
+
+} // namespace maclint

@@ -1,0 +1,127 @@
+//! A line of a chapter of codes: a code, a word of it, or a statement on its words.
+#pragma once
+
+#include "rules/words/word_row.hpp"
+
+#include <cstdint>
+#include <string_view>
+
+namespace maclint {
+
+/// How surely a code needs a word, by what its manual says and shows.
+enum class Need : std::uint8_t {
+    none,
+    in_examples, ///< every example of the manual has it; no more is known
+    likely,      ///< nothing could be done without it
+    sure,        ///< the manual says so
+};
+
+/// A code, a word of the code above it, or a statement on words of that code.
+struct BookLine {
+    enum class Kind : std::uint8_t { code, word, statement } kind;
+    /// Of a code: its codes, sections and `means`; of a word: `words`, `means` and the values that it takes;
+    /// of a statement: all but the code.
+    WordRow row;
+    std::uint32_t line = 0; ///< of the manual
+    Need need = Need::none;
+    std::string_view absent = {}; ///< what holds where the word is not written: "0", "feed in force"
+    std::string_view source =
+        {}; ///< key of docs/sources.md, where it is not the book's with `line`: "GH-ALM"
+
+    /// The word is needed; `effect` is what comes of a block without it.
+    [[nodiscard]] constexpr BookLine needed(std::string_view effect = {}) const {
+        BookLine copy = *this;
+        copy.need = Need::likely;
+        copy.row.effect = effect;
+        return copy;
+    }
+    /// And the manual says so.
+    [[nodiscard]] constexpr BookLine required(std::string_view effect = {}) const {
+        BookLine copy = *this;
+        copy.need = Need::sure;
+        copy.row.effect = effect;
+        return copy;
+    }
+    [[nodiscard]] constexpr BookLine in_examples() const {
+        BookLine copy = *this;
+        copy.need = Need::in_examples;
+        return copy;
+    }
+    /// What comes of a value that is not taken.
+    [[nodiscard]] constexpr BookLine or_else(std::string_view effect) const {
+        return with(&WordRow::effect, effect);
+    }
+    [[nodiscard]] constexpr BookLine without(std::string_view what) const {
+        BookLine copy = *this;
+        copy.absent = what;
+        return copy;
+    }
+    /// Conditions on words of the block: WordRow::when.
+    [[nodiscard]] constexpr BookLine when(std::string_view conditions) const {
+        return with(&WordRow::when, conditions);
+    }
+    /// Codes of the block after: WordRow::unless_next.
+    [[nodiscard]] constexpr BookLine unless_next(std::string_view codes) const {
+        return with(&WordRow::unless_next, codes);
+    }
+    /// Codes of the block before: WordRow::after, WordRow::unless_after.
+    [[nodiscard]] constexpr BookLine after(std::string_view codes) const {
+        return with(&WordRow::after, codes);
+    }
+    [[nodiscard]] constexpr BookLine unless_after(std::string_view codes) const {
+        return with(&WordRow::unless_after, codes);
+    }
+    /// Of a code: it stands elsewhere, too, where one of these codes comes later: WordRow::unless_later.
+    [[nodiscard]] constexpr BookLine also_before(std::string_view codes) const {
+        return with(&WordRow::unless_later, codes);
+    }
+    [[nodiscard]] constexpr BookLine as(Severity severity) const {
+        return with(&WordRow::severity, severity);
+    }
+    [[nodiscard]] constexpr BookLine also(std::string_view aliases) const {
+        return with(&WordRow::aliases, aliases);
+    }
+    /// Only on these controls, only of lathes with these systems: WordRow::controls, WordRow::systems.
+    [[nodiscard]] constexpr BookLine on(std::string_view controls) const {
+        return with(&WordRow::controls, controls);
+    }
+    [[nodiscard]] constexpr BookLine in_systems(std::string_view systems) const {
+        return with(&WordRow::systems, systems);
+    }
+    /// Only where one of these codes is surely in force: WordRow::under.
+    [[nodiscard]] constexpr BookLine under(std::string_view codes) const {
+        return with(&WordRow::under, codes);
+    }
+    /// The words stay while the code's group is in force: WordRow::kept.
+    [[nodiscard]] constexpr BookLine kept() const { return with(&WordRow::kept, true); }
+    /// Also in a block that calls a program: WordRow::in_calls.
+    [[nodiscard]] constexpr BookLine in_calls() const { return with(&WordRow::in_calls, true); }
+    /// The alarm that the control raises where the line is not kept, by its list.
+    [[nodiscard]] constexpr BookLine alarm(std::string_view list, std::string_view number) const {
+        BookLine copy = *this;
+        for (RowAlarm& place : copy.row.alarms)
+            if (place.number.empty()) {
+                place = {list, number};
+                return copy;
+            }
+        throw "there is no room for another alarm";
+    }
+    [[nodiscard]] constexpr BookLine from(std::string_view key) const {
+        BookLine copy = *this;
+        copy.source = key;
+        return copy;
+    }
+    [[nodiscard]] constexpr BookLine off(std::string_view reason) const {
+        return with(&WordRow::off_reason, reason);
+    }
+
+  private:
+    template<class Value>
+    [[nodiscard]] constexpr BookLine with(Value WordRow::*field, Value value) const {
+        BookLine copy = *this;
+        copy.row.*field = value;
+        return copy;
+    }
+};
+
+} // namespace maclint

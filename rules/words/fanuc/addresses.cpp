@@ -1,0 +1,40 @@
+//! How Fanuc and its relatives write the numbers of addresses.
+#include "rules/words/address_book.hpp"
+
+namespace maclint::address_books {
+namespace {
+
+constexpr std::string_view of_16i = "FANUC 16i/18i/21i", of_30i = "FANUC 30i/0i-D";
+constexpr RowAlarm point[] = {{of_16i, "007"}, {of_30i, "007"}};
+constexpr RowAlarm minus[] = {{of_16i, "006"}, {of_30i, "006"}};
+constexpr RowAlarm digits[] = {{of_16i, "003"}, {of_30i, "003"}};
+
+constexpr std::string_view named = "fanuc-16i fanuc-0i-c fanuc-0i-d fanuc-30i";
+using enum Severity;
+
+// P has no point either, but is left to the codes: a dwell in seconds, an angle, a lead have one on some
+// controls. More decimals than the control keeps are cut off, so digits count before the point. A Haas takes
+// `S5000.`.
+// clang-format off
+constexpr AddressLine lines[] = {
+    {.addresses = "M",   .means = "machine function", .whole = true, .positive = true, .most_digits = 8, .controls = named,    .severity = error, .source = "CSDN-PS"},
+    {.addresses = "S",   .means = "spindle speed",    .whole = true, .positive = true, .most_digits = 8, .controls = named,    .severity = warning, .source = "SINHA-INT"},
+    {.addresses = "T",   .means = "tool",             .whole = true, .positive = true, .most_digits = 8, .controls = named,    .severity = error, .source = "CSDN-PS"},
+    {.addresses = "H D", .means = "offset number",    .whole = true, .positive = true, .most_digits = 8, .controls = named,    .severity = error, .source = "CSDN-PS"},
+    {.addresses = "L",   .means = "number of repeats",.whole = true, .positive = true, .most_digits = 8, .controls = named,    .severity = error, .source = "CSDN-PS"},
+    {.addresses = "F",   .means = "feed",             .positive = true,                .most_digits = 8, .controls = named,    .severity = error, .source = "CSDN-PS"},
+    {.addresses = "X Y Z U V W A B C I J K R Q", .means = "coordinate", .most_digits = 8, .controls = named,    .severity = error, .source = "CSDN-PS"},
+    {.addresses = "P",   .means = "number",           .most_digits = 8, .controls = named, .severity = error, .source = "CSDN-PS"},
+};
+// clang-format on
+
+} // namespace
+
+extern const AddressBook fanuc{.language = "fanuc",
+                               .assumed = "fanuc",
+                               .point = point,
+                               .minus = minus,
+                               .digits = digits,
+                               .lines = lines};
+
+} // namespace maclint::address_books
