@@ -24,7 +24,7 @@ class Writer {
         for (const CodeBook* book : all_code_books()) {
             std::vector<WordRow> rows;
             for (const CodePage& page : pages_of(*book)) add_rows(page, rows);
-            add_table(book->empty_table(), std::move(rows));
+            add_table(book->without_rows(), std::move(rows));
         }
         for (const std::string_view language : languages_of_chapters())
             add_table({.language = language, .rows = {}}, rows_of_places(language));

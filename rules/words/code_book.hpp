@@ -20,7 +20,7 @@ struct CodeBook {
     std::span<const BookLine> lines;
 
     /// For its rows.
-    [[nodiscard]] constexpr WordTable empty_table() const {
+    [[nodiscard]] constexpr WordTable without_rows() const {
         return {
             .language = language, .machine = machine, .sections = sections, .controls = controls, .rows = {}};
     }
