@@ -43,6 +43,9 @@ enum class RowStatement : std::uint8_t {
     values,     ///< their values lie within the bounds, or in the list
     whole,      ///< their values are written without a point
     digits,     ///< they have at most so many digits before the point
+    at_most,    ///< at most so many of them stand there
+    until,      ///< none but they stand in the blocks up to one of the other codes
+    encloses,   ///< two of them number the first and the last block of a part of the program
     alone,      ///< no word but them stands beside the code
     apart,      ///< the code stands beside none of the other codes
     precedes,   ///< the next block holds one of the other codes

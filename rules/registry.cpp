@@ -67,6 +67,7 @@
     RULE(m99_p_missing_label)                   /* MAC333 */ \
     RULE(endless_jump_loop)                     /* MAC336 */ \
     RULE(equal_branches)                        /* MAC337 */ \
+    RULE(profile_block_missing)                 /* MAC338 */ \
     RULE(call_without_program_number)           /* MAC401 */ \
     RULE(program_not_found)                     /* MAC402 */ \
     RULE(macro_calls_nested_too_deep)           /* MAC410 */ \
@@ -90,6 +91,7 @@
     RULE(compensation_started_on_arc)           /* MAC511 */ \
     RULE(modal_group_conflict)                  /* MAC514 */ \
     RULE(single_block_suppression_not_restored) /* MAC515 */ \
+    RULE(data_not_closed)                       /* MAC516 */ \
     RULE(saved_after_change)                    /* MAC517 */ \
     RULE(modal_state_forced)                    /* MAC518 */ \
     RULE(offset_not_restored)                   /* MAC519 */ \
@@ -108,6 +110,7 @@
     RULE(word_not_listed)                       /* MAC581 */ \
     RULE(codes_not_together)                    /* MAC582 */ \
     RULE(unknown_code)                          /* MAC583 */ \
+    RULE(too_many_words)                        /* MAC584 */ \
     RULE(missing_argument_validation)           /* MAC604 */ \
     RULE(position_read_ahead)                   /* MAC605 */ \
     RULE(bracket_depth)                         /* MAC701 */ \

@@ -13,7 +13,7 @@ struct SourceRow {
 };
 
 // clang-format off
-constexpr std::array<SourceRow, 30> rows{{
+constexpr std::array<SourceRow, 101> rows{{
     {"SEED-001",
      "Joni Nieminen, Parametriohjelmointi FANUC 21i-MB -ohjauksessa, thesis, Tampere 2005: "
      "macro programming on a FANUC 21i-MB, with programs that were run on the machine. Lines "
@@ -84,6 +84,184 @@ constexpr std::array<SourceRow, 30> rows{{
     {"GH-ALM",
      "Alarm list of the FANUC 30i generation in a public macro interpreter. It is not a "
      "manual, and single entries of it are shifted"},
+    {"CSDN-CYC",
+     "Articles in Chinese on the canned cycles of FANUC mills, with the words of each, written after "
+     "the manuals"},
+    {"CSDN-CYC2",
+     "Articles in Chinese on the canned cycles of FANUC mills, with the words of each, written after "
+     "the manuals"},
+    {"F15-71",
+     "FANUC Series 15i/150i-MA, operator's manual (programming), the page of that number in its public "
+     "copy"},
+    {"F15-104",
+     "FANUC Series 15i/150i-MA, operator's manual (programming), the page of that number in its public "
+     "copy"},
+    {"F15-315",
+     "FANUC Series 15i/150i-MA, operator's manual (programming), the page of that number in its public "
+     "copy"},
+    {"F15-402",
+     "FANUC Series 15i/150i-MA, operator's manual (programming), the page of that number in its public "
+     "copy"},
+    {"F15-586",
+     "FANUC Series 15i/150i-MA, operator's manual (programming), the page of that number in its public "
+     "copy"},
+    {"F15-779",
+     "FANUC Series 15i/150i-MA, operator's manual (programming), the page of that number in its public "
+     "copy"},
+    {"F16C-147",
+     "FANUC Series 16/18/160/180-C for machining centers, operator's manual, the page of that number "
+     "in its public copy"},
+    {"F16C-293",
+     "FANUC Series 16/18/160/180-C for machining centers, operator's manual, the page of that number "
+     "in its public copy"},
+    {"F16C-365",
+     "FANUC Series 16/18/160/180-C for machining centers, operator's manual, the page of that number "
+     "in its public copy"},
+    {"F16C-375",
+     "FANUC Series 16/18/160/180-C for machining centers, operator's manual, the page of that number "
+     "in its public copy"},
+    {"F16D-141",
+     "FANUC Series 16i/18i/160i/180i-PB, descriptions B-63682EN/01, page 117"},
+    {"F0iA-618",
+     "FANUC Series 0i-A, connection manual (function), the page of that number in its public copy"},
+    {"F30-231",
+     "FANUC Series 30i/31i/32i-A, user's manual for machining centers, the page of that number in its "
+     "public copy"},
+    {"F30C-99",
+     "FANUC Series 30i/31i/32i-A, user's manual common to lathes and machining centers B-63944EN/02, "
+     "page 65"},
+    {"F30L-49",
+     "FANUC Series 30i/31i/32i-A, user's manual for lathes B-63944EN-1/02, page 27"},
+    {"F30D-155",
+     "FANUC Series 30i/300i/300is-A, descriptions B-63942EN/02, page 125"},
+    {"F30T-4",
+     "FANUC A-79976E, Series 30i/31i, specifying a tilted working plane by the direction of the tool, "
+     "page 4"},
+    {"GSK-86",
+     "GSK 980MDc, a FANUC look-alike, user manual, page 67: further work offsets"},
+    {"CNCWIKI-G28",
+     "Article of a CNC encyclopedia on the web: return to reference points with G28, G29 and G30"},
+    {"CNCFORUM-G051",
+     "Article of a CNC forum on smooth interpolation with G05.1, written after the manual"},
+    {"HELM-G721",
+     "Article of a machinist's site on copies of figures with G72.1, written after the manual"},
+    {"YSZNH",
+     "Translated list of G codes of FANUC mills on the web, with their words"},
+    {"VERICUT",
+     "Control file of a simulator for the FANUC 30i-M, public: which codes it knows, with which words"},
+    {"SWANSC",
+     "List of M codes of a machine builder on the web"},
+    {"GTUTOR",
+     "Lessons on CNC programs on the web: subprograms with M98 and M99"},
+    {"ERRLIB-49",
+     "Public library of error messages: alarm PS0049 of the FANUC 30i/31i/32i-B"},
+    {"NCT-40",
+     "NCT 99M/2000M, programmer's manual, the page of that number"},
+    {"NCT-52",
+     "NCT 99M/2000M, programmer's manual, the page of that number"},
+    {"NCT-53",
+     "NCT 99M/2000M, programmer's manual, the page of that number"},
+    {"NCT-78",
+     "NCT 99M/2000M, programmer's manual, the page of that number"},
+    {"NCT-85",
+     "NCT 99M/2000M, programmer's manual, the page of that number"},
+    {"NCT-102",
+     "NCT 99M/2000M, programmer's manual, the page of that number"},
+    {"NCT-114",
+     "NCT 99M/2000M, programmer's manual, the page of that number"},
+    {"NCT-117",
+     "NCT 99M/2000M, programmer's manual, the page of that number"},
+    {"NCT-159",
+     "NCT 99M/2000M, programmer's manual, the page of that number"},
+    {"NCT-161",
+     "NCT 99M/2000M, programmer's manual, the page of that number"},
+    {"H99",
+     "Haas, VF series operator's manual 96-8000, June 1999, the page of that number "
+     "(easymanua.ls/haas/vf-series/manual/309596?p=185)"},
+    {"H07",
+     "Haas, mill operator's manual 96-8000 rev R, June 2007, the page of that number of the file "
+     "(easymanua.ls/haas/mill/manual?p=91)"},
+    {"H10",
+     "Haas, mill operator's manual 96-8000 of about 2010, the page of that number of the file "
+     "(easymanua.ls/haas/96-8000/manual?p=217; manualshive.com/en/manual/haas/96-8000/575891?page=102)"},
+    {"HNGC",
+     "Haas, mill operator's manual of the Next Generation Control, 2023, the page of that number, as a "
+     "public repository quotes it"},
+    {"HDIY",
+     "Haas, interactive operator's manuals of mills and lathes on the web, classic and Next Generation "
+     "Control, the page of that name (staging-diy.haascnc.com/g77-back-bore-canned-cycle-group-09-1)"},
+    {"HCODES",
+     "Pages on the web that restate the Haas mill manual code by code "
+     "(gcodes.net/haas-g107-cylindrical-mapping)"},
+    {"HELMAN",
+     "Pages of a machinist on the web on Haas codes and addresses (helmancnc.com)"},
+    {"HLIST",
+     "List of the G codes of Haas mills with their groups, in Spanish, in a public repository "
+     "(github.com/sebarenzi/cncinfo, codigosg.md)"},
+    {"HGLIST",
+     "List of the G codes of Haas lathes with their groups in the source of a public editor"},
+    {"HDESC",
+     "Descriptions of Haas mill codes in a public repository whose name the index does not tell"},
+    {"HPASTE",
+     "Appendix of a CAM book with codes of Haas mills and their words (pastebin.com/prSjxEWB)"},
+    {"HCAMV",
+     "Notes of a public program reader on M97 and M99 in Haas style (docs.rs, camv-rnd)"},
+    {"HSCHOOL",
+     "Course paper on the M codes of Haas machines (scribd.com/document/673999731)"},
+    {"HUK",
+     "Haas (UK), page on programmable offsets with G10 "
+     "(haas.co.uk/resources/better-techniques/control-features/programmable-offsets)"},
+    {"HBAR",
+     "Haas, operator's manual of the bar feeder, the page of that number of the file "
+     "(manualshive.com/en/manual/haas/bar-feeder/575871?page=37)"},
+    {"MIYANO",
+     "Miyano, service manual of the BNC-34T with a FANUC T control: G codes of system A and their "
+     "groups"},
+    {"GEDIT",
+     "Notes on FANUC syntax in the public repository NC-PB/gEdit, written after B-63944GE/02 and "
+     "B-63944GE-1/02: G code systems A, B and C side by side, words"},
+    {"MAN30i-57",
+     "FANUC Series 30i/31i/32i-A, user's manual for lathes B-63944EN-1/02, page 35 (57 of the file): "
+     "G92, "
+     "https://www.cncmanuals.com/fanuc/740/30i-300i-300is-model-a-31i-310i-310is-model-a-and-a5-32i-320i-320is-model-a-users-manual/page/57"},
+    {"MAN16TB-285",
+     "FANUC Series 16i/18i/160i/180i-TB, operator's manual B-63524EN/01, page 285: G10 of tool "
+     "offsets, http://cncmanuals.com/fanuc/150/series-16i-18i-160i-180i-tb-operators-manual/page/311"},
+    {"F0iTC-29",
+     "FANUC Series 0i-TC, operator's manual B-64114EN/01, page 29, as copied on a public page: "
+     "addresses that take a decimal point"},
+    {"CSCH-B",
+     "G codes of FANUC 30i lathes in system B, "
+     "https://cncschool.pl/library/codes/ge_fanuc30i_300i_300is_lathe_system_codeb.php"},
+    {"CSDN-T",
+     "G codes of FANUC lathes and their groups, in Chinese, "
+     "https://blog.csdn.net/garyye/article/details/4067247"},
+    {"MACHINEMFG",
+     "Commands of FANUC lathes with their words, https://www.machinemfg.com/fanuc-cnc-lathe-commands/"},
+    {"BLOG-MRC",
+     "G76 and notes on multiple repetitive cycles, "
+     "http://cncprograming.blogspot.com/2011/07/multiple-thread-cutting-cycle-g76.html"},
+    {"BLOG-FIX",
+     "G90, G92 and G94 and their numbers in system B, "
+     "http://cncprograming.blogspot.com/2011/07/fixed-cycles-for-turning.html"},
+    {"BLOG-DRILL",
+     "G83 and G87 of lathes, http://cncprograming.blogspot.com/2011/08/drilling-cycle-g83-or-g87.html"},
+    {"HELMAN-G92",
+     "Taper threads by G92, https://www.helmancnc.com/taper-threading-with-g92-threading-cycle/"},
+    {"CNCFORUM-G75",
+     "G75 in one and in two blocks, by series, "
+     "https://en.cncforum.net/t/g75-cycle-grooving-and-parting-off/99"},
+    {"CNCWIKI-G74",
+     "G74 and G75 of lathes, https://cnc.wiki/en/g74-g75-lathe-grooving"},
+    {"FSIM",
+     "Modal groups of a public FANUC simulator"},
+    {"REF-MOD",
+     "Modal group table of the custom macro reference"},
+    {"TENC-G74",
+     "Article in Chinese on G74 of FANUC lathes and what makes its alarms, "
+     "https://cloud.tencent.com/developer/article/2035679"},
+    {"SZGH-67",
+     "SZGH-CNC1000MDb, a FANUC look-alike, user manual, page 54: tool offset with G45 to G48"},
     {"T",
      "Experience of those who wrote the rule. No document at hand confirms it; a correction "
      "with a document is welcome"},

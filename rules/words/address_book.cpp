@@ -10,11 +10,12 @@ namespace maclint {
 namespace address_books {
 
 extern const AddressBook fanuc;
+extern const AddressBook fanuc_mill;
 
 } // namespace address_books
 
 std::span<const AddressBook* const> all_address_books() {
-    static constexpr std::array list = {&address_books::fanuc};
+    static constexpr std::array list = {&address_books::fanuc, &address_books::fanuc_mill};
     return list;
 }
 

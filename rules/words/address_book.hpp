@@ -3,7 +3,7 @@
 
 #include "rules/words/word_row.hpp"
 
-#include <cstdint>
+#include <optional>
 #include <span>
 #include <string_view>
 #include <vector>
@@ -26,6 +26,7 @@ struct AddressLine {
 /// The lines of one language, and the alarms of its controls.
 struct AddressBook {
     std::string_view language;
+    std::optional<Machine> machine = {}; ///< nothing: mills and lathes
     std::string_view assumed; ///< the control that is taken where nobody has named one; there they warn
     std::span<const RowAlarm> point, minus, digits; ///< raised where a line is not kept
     std::span<const AddressLine> lines;

@@ -28,6 +28,14 @@ struct BookLine {
     std::string_view source =
         {}; ///< key of docs/sources.md, where it is not the book's with `line`: "GH-ALM"
 
+    /// A copy with a field of the row changed.
+    template<class Value>
+    [[nodiscard]] constexpr BookLine with(Value WordRow::*field, Value value) const {
+        BookLine copy = *this;
+        copy.row.*field = value;
+        return copy;
+    }
+
     /// The word is needed; `effect` is what comes of a block without it.
     [[nodiscard]] constexpr BookLine needed(std::string_view effect = {}) const {
         BookLine copy = *this;
@@ -88,6 +96,8 @@ struct BookLine {
     [[nodiscard]] constexpr BookLine in_systems(std::string_view systems) const {
         return with(&WordRow::systems, systems);
     }
+    /// What a value leaves when it is divided by the number counts: WordRow::modulo.
+    [[nodiscard]] constexpr BookLine rest_of(int number) const { return with(&WordRow::modulo, number); }
     /// Only where one of these codes is surely in force: WordRow::under.
     [[nodiscard]] constexpr BookLine under(std::string_view codes) const {
         return with(&WordRow::under, codes);
@@ -113,14 +123,6 @@ struct BookLine {
     }
     [[nodiscard]] constexpr BookLine off(std::string_view reason) const {
         return with(&WordRow::off_reason, reason);
-    }
-
-  private:
-    template<class Value>
-    [[nodiscard]] constexpr BookLine with(Value WordRow::*field, Value value) const {
-        BookLine copy = *this;
-        copy.row.*field = value;
-        return copy;
     }
 };
 

@@ -1,6 +1,4 @@
 //! Writes the rows of each code: of its words first, then of what is said of them.
-#include "rules/words/book_rows.hpp"
-
 #include "rules/words/address_book.hpp"
 #include "rules/words/book_language.hpp"
 #include "rules/words/code_pages.hpp"
@@ -29,7 +27,7 @@ class Writer {
         for (const std::string_view language : languages_of_chapters())
             add_table({.language = language, .rows = {}}, rows_of_places(language));
         for (const AddressBook* book : all_address_books())
-            add_table({.language = book->language, .rows = {}}, rows_of(*book));
+            add_table({.language = book->language, .machine = book->machine, .rows = {}}, rows_of(*book));
         std::vector<const WordTable*> all;
         for (const WordTable& table : tables_) all.push_back(&table);
         return all;
@@ -125,7 +123,7 @@ class Writer {
 
 } // namespace
 
-const std::vector<const WordTable*>& tables_of_books() {
+std::span<const WordTable* const> all_word_tables() {
     static Writer writer;
     static const auto tables = writer.tables();
     return tables;

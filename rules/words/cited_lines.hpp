@@ -45,6 +45,26 @@ constexpr BookLine apart(std::string_view codes, std::string_view source, std::s
 constexpr BookLine whole(std::string_view words, std::string_view source, std::string_view effect) {
     return statement(RowStatement::whole, words, {}, 0U, {}, effect).from(source);
 }
+/// So many of the words at most.
+constexpr BookLine at_most(double count, std::string_view words, std::string_view source,
+                           std::string_view effect) {
+    BookLine line = statement(RowStatement::at_most, words, {}, 0U, {}, effect).from(source);
+    line.row.most = count;
+    return line;
+}
+/// From the code up to one of `codes` stand no words but these.
+constexpr BookLine until(std::string_view codes, std::string_view words, std::string_view source,
+                         std::string_view effect) {
+    return statement(RowStatement::until, words, codes, 0U, {}, effect).from(source);
+}
+/// Two words number the first and the last of some blocks: the first holds one of `begins_with`, none holds
+/// one of `without`.
+constexpr BookLine encloses(std::string_view words, std::string_view begins_with, std::string_view without,
+                            std::string_view source, std::string_view effect) {
+    BookLine line = statement(RowStatement::encloses, words, without, 0U, {}, effect).from(source);
+    line.row.first_block = begins_with;
+    return line;
+}
 /// Not while one of these codes is in force.
 constexpr BookLine refused_under(std::string_view codes, std::string_view source, std::string_view effect) {
     return statement(RowStatement::refused, {}, {}, 0U, {}, effect).under(codes).from(source);

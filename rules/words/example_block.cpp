@@ -37,6 +37,18 @@ const WordRow* ExampleBlock::order(const WordRow* broken) const {
     return found == rows_.end() ? nullptr : *found;
 }
 
+const WordRow* ExampleBlock::enclosed() const {
+    const auto found = std::ranges::find(rows_, RowStatement::encloses, &WordRow::says);
+    return found == rows_.end() ? nullptr : *found;
+}
+
+const WordRow* ExampleBlock::begun_data(const WordRow* broken) const {
+    const ExampleWords all = words(broken, broken == nullptr);
+    const auto found = std::ranges::find_if(
+        rows_, [&](const WordRow* row) { return row->says == RowStatement::until && all.holds(row->when); });
+    return found == rows_.end() ? nullptr : *found;
+}
+
 void ExampleBlock::add(ExampleWords& words, std::string_view address) const {
     words.add(address, value_of(address));
 }
@@ -46,6 +58,8 @@ std::string ExampleBlock::value_of(std::string_view address) const {
     for (const WordRow* row : rows_)
         if (row->says == RowStatement::values && row->when.empty() && has_word(row->words, address))
             return allowed_value(*row);
+    if (const WordRow* row = enclosed(); row != nullptr && has_word(row->words, address))
+        return words_of(row->words).front() == address ? "10" : "20";
     return has_word(frame_of(control_).with_point, address) ? "10." : "2";
 }
 

@@ -20,6 +20,10 @@ class ExampleBlock {
     [[nodiscard]] std::string text(const WordRow* broken = nullptr) const;
     /// The row on the block after that holds for the words of `text(broken)`; nullptr: there is none.
     [[nodiscard]] const WordRow* order(const WordRow* broken = nullptr) const;
+    /// The row on the blocks that the code encloses; nullptr: it encloses none.
+    [[nodiscard]] const WordRow* enclosed() const;
+    /// The row on the blocks after, whose data the code begins; nullptr: it begins none.
+    [[nodiscard]] const WordRow* begun_data(const WordRow* broken = nullptr) const;
     /// As `text()`, for the row: with the words that it is about.
     [[nodiscard]] std::string text_that_keeps(const WordRow& row) const;
 

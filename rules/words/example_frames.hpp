@@ -20,7 +20,7 @@ struct ExampleFrame {
     std::string_view arc;          ///< a block that is none, without the end of its line
 };
 inline constexpr std::array example_frames = {
-    ExampleFrame{"fanuc", Machine::mill, "O1(EXAMPLE)\nG90 G54 G0 X0 Y0\n", "G40 G80\nM30\n", "",
+    ExampleFrame{"fanuc", Machine::mill, "O1(EXAMPLE)\nG17 G90 G54 G0 X0 Y0\n", "G40 G80\nM30\n", "",
                  "A B C F I J K Q R U V W X Y Z", " X10. Y20.", "G2 X20. Y30. R10."},
     ExampleFrame{"fanuc", Machine::lathe, "O1(EXAMPLE)\nG0 X100. Z100.\n", "M30\n", "",
                  "A B C F I J K R U V W X Y Z", " X10. Z20.", "G2 X20. Z30. R10."},

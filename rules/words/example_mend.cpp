@@ -62,12 +62,22 @@ void ExampleBlock::begin_with(ExampleWords& words, const WordRow& row, bool kept
     case RowStatement::whole:
         words.add(first_of(row.words), value_of(first_of(row.words)) + (kept ? "" : "."));
         break;
+    case RowStatement::at_most: {
+        const auto all = words_of(row.words);
+        const auto count = static_cast<std::size_t>(row.most) + (kept ? 0 : 1);
+        for (std::size_t i = 0; i < count; ++i) add(words, all[i]);
+        break;
+    }
+    case RowStatement::encloses:
+        for (const std::string_view address : words_of(row.words)) add(words, address);
+        break;
     case RowStatement::digits:
         words.add(first_of(row.words), kept ? value_of(first_of(row.words)) : "123456789012");
         break;
     case RowStatement::alone:
         if (!kept) words.add("S", "500");
         break;
+    case RowStatement::until:
     case RowStatement::apart:
     case RowStatement::precedes:
     case RowStatement::refused: break;

@@ -13,6 +13,9 @@ bool RowIndex::Entry::can_be_wrong(syntax::AddressSet any, syntax::AddressSet al
     case RowStatement::excludes: return any.meets(maybe_words) && any.meets(maybe_others);
     case RowStatement::only_with: return any.meets(maybe_words) && !all.meets(others);
     case RowStatement::takes_only: return !any.without(words).empty();
+    case RowStatement::at_most:
+    case RowStatement::encloses: return any.meets(maybe_words);
+    case RowStatement::until:
     case RowStatement::alone:
     case RowStatement::apart:
     case RowStatement::precedes:

@@ -43,10 +43,12 @@ class ProgramWriter {
         std::string text = start();
         if (row_.says == RowStatement::refused && !kept)
             text += std::string(first_of(row_.under)) + std::string(frame_.straight) + "\n";
+        if (row_.says != RowStatement::refused && !row_.under.empty())
+            text += std::string(first_of(row_.under)) + "\n";
         if (!row_.after.empty()) text += block_with(first_of(row_.after)).text() + "\n";
         text += kept ? block_.text_that_keeps(row_) : block_.text(&row_);
         if (row_.says == RowStatement::apart && !kept) text += " " + std::string(first_of(row_.others));
-        text += "\n" + next_block(kept);
+        text += "\n" + next_block(kept) + enclosed_blocks(kept) + data_blocks(kept);
         return text + end(section_);
     }
 
@@ -87,6 +89,24 @@ class ProgramWriter {
         std::string text = heading(section) + block.text() + "\n";
         if (order != nullptr) text += ExampleBlock(control_, first_of(order->others), section).text() + "\n";
         return text + end(section);
+    }
+
+    /// Those up to the code that ends them, one of them with a foreign word where that row is broken.
+    [[nodiscard]] std::string data_blocks(bool kept) const {
+        const WordRow* row = block_.begun_data(&row_);
+        if (row == nullptr) return {};
+        return std::string(first_of(row->words)) + "1" + (kept || row != &row_ ? "" : " G1") + "\n" +
+               std::string(first_of(row->others)) + "\n";
+    }
+
+    /// Those that the block numbers; the last one is missing where that row is broken.
+    [[nodiscard]] std::string enclosed_blocks(bool kept) const {
+        const WordRow* row = block_.enclosed();
+        if (row == nullptr) return {};
+        const std::string code(row->first_block.empty() ? "G1" : first_of(row->first_block));
+        std::string blocks = "N10 " + code + std::string(frame_.straight) + "\n";
+        if (kept || row != &row_) blocks += "N20 G1" + std::string(frame_.straight) + "\n";
+        return blocks;
     }
 
     /// What the row on the block after wants, or something else; nothing where no row says anything of it.

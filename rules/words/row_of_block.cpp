@@ -37,15 +37,14 @@ bool RowOfBlock::is_taken_anywhere(const Word& word) const {
 
 bool RowOfBlock::may_belong_to_another(const Word& word) const {
     if (index.words_of_codes().empty()) return queries::may_belong_to_another(block, code, word);
-    const bool beside = std::ranges::any_of(block.words, [&](const Word& other) {
+    return std::ranges::any_of(block.words, [&](const Word& other) {
         if (&other == &code || (other.address != "G" && other.address != "M")) return false;
         return is_taken_anywhere(word) || index.words_of_codes().may_take(other, word.address);
     });
-    return beside || (book_language(of_code.table->language).codes_go_on && may_go_on_to(word));
 }
 
-/// Whether a code in force before may take the word: a cycle, a move.
 bool RowOfBlock::may_go_on_to(const Word& word) const {
+    if (!book_language(of_code.table->language).codes_go_on) return false;
     const ControlModel& control = block.analysis.control();
     for (const ModalRole role : {ModalRole::motion, ModalRole::cycle}) {
         const auto group = control.group_with(role);
@@ -76,7 +75,10 @@ Finding& RowOfBlock::report(Reporter& reporter, const Word& word, std::string_vi
     finding.row = &rule_row;
     finding.severity = row().severity;
     const auto alarm = std::ranges::find(row().alarms, block.analysis.control().alarms, &RowAlarm::control);
-    finding.alarm = alarm == row().alarms.end() ? std::string_view() : alarm->number;
+    finding.alarm = alarm != row().alarms.end() ? alarm->number
+                    : row().severity == Severity::error
+                        ? reporter.alarm_for(block.analysis.file(), message_id)
+                        : std::string_view();
     return finding;
 }
 

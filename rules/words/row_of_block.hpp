@@ -33,8 +33,10 @@ struct RowOfBlock {
     [[nodiscard]] bool is_of_address() const { return of_code.is_of_address(); }
     /// Whether any block takes the word, whatever its codes.
     [[nodiscard]] bool is_taken_anywhere(const Word& word) const;
-    /// Whether a word may belong to another code of the block, or to one that has gone on from before.
+    /// Whether a word may belong to another code of the block.
     [[nodiscard]] bool may_belong_to_another(const Word& word) const;
+    /// Whether a code that is in force may take the word: a cycle, a move.
+    [[nodiscard]] bool may_go_on_to(const Word& word) const;
     /// "G40", as rows name codes, of a word whose value is written; empty for a word that is no code.
     [[nodiscard]] static std::string code_of(const Word& word);
     /// The bytes of the word, for a message.
@@ -43,9 +45,6 @@ struct RowOfBlock {
     /// Reports the row at a word of the block: with its severity and the alarm of the control.
     Finding& report(Reporter& reporter, const Word& word, std::string_view message_id,
                     std::vector<std::string> arguments) const;
-
-  private:
-    [[nodiscard]] bool may_go_on_to(const Word& word) const;
 };
 
 } // namespace maclint

@@ -40,6 +40,15 @@ std::string rule_in_words(const RowForCode& of_code) {
         return code + " takes " + words + " of " + values_allowed_by(row) +
                (row.effect == no_other_value ? ": " : "; else ");
     case RowStatement::whole: return words + " of " + code + " has no decimal point; with one ";
+    case RowStatement::at_most:
+        return code + " takes " + number_word(row.most) + " of " + all_of(row.words) + " at most: ";
+    case RowStatement::until:
+        return "From " + code + " to " + either_of(row.others) + " stand " + all_of(row.words) + " only: ";
+    case RowStatement::encloses:
+        return all_of(row.words) + " of " + code +
+               " number the first and the last block of a part of the program" +
+               (row.first_block.empty() ? "" : ", which begins with " + either_of(row.first_block)) +
+               (row.others.empty() ? "" : " and holds no " + either_of(row.others)) + "; else ";
     case RowStatement::digits:
         return words + " of " + code + " has " + number_word(row.most) +
                " digits before its point at most; with more ";
@@ -76,6 +85,7 @@ std::string words_with_meaning(const WordRow& row) {
 }
 
 std::string values_allowed_by(const WordRow& row) {
+    if (row.modulo != 0) return "a rest by " + std::to_string(row.modulo) + " of " + either_of(row.values);
     if (!row.values.empty()) return either_of(row.values);
     std::string least = (row.above_least ? "more than " : "at least ") + number_word(row.least);
     const std::string most = (row.below_most ? "less than " : "at most ") + number_word(row.most);
@@ -84,6 +94,7 @@ std::string values_allowed_by(const WordRow& row) {
 }
 
 bool takes(const WordRow& row, double value) {
+    if (row.modulo != 0) value = std::fmod(value, row.modulo);
     if (!row.values.empty()) return has_word(row.values, number_word(value));
     const bool enough = row.above_least ? value > row.least : value >= row.least;
     return enough && (row.below_most ? value < row.most : value <= row.most);

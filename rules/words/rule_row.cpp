@@ -30,9 +30,10 @@ std::string key_of(const RowForCode& code) {
     const bool names_words = row.says != RowStatement::takes_only && row.says != RowStatement::refused &&
                              row.says != RowStatement::precedes;
     if (!row.words.empty() && names_words) key += "." + joined(row.words, "+");
-    const std::string_view forbidden = row.says == RowStatement::apart ? row.others
-                                       : must_not_precede              ? row.words
-                                                                       : std::string_view();
+    const std::string_view forbidden = row.says == RowStatement::apart      ? row.others
+                                       : must_not_precede                   ? row.words
+                                       : row.says == RowStatement::encloses ? row.words
+                                                                            : std::string_view();
     if (!row.others.empty() && row.says != RowStatement::precedes && forbidden.empty())
         key += "-" + joined(row.others, "+");
     for (const std::string_view codes : {forbidden, row.under, row.after})

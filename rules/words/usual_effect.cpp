@@ -11,6 +11,9 @@ std::string_view usual_effect(RowStatement says) {
     case RowStatement::excludes: return "each says the same in its own way";
     case RowStatement::only_with: return "without it the word says nothing";
     case RowStatement::values: return no_other_value;
+    case RowStatement::at_most: return "the control takes no more";
+    case RowStatement::until: return "all between is data";
+    case RowStatement::encloses: return "the control does not find what it works with";
     case RowStatement::digits:
     case RowStatement::whole: return "it counts";
     case RowStatement::alone: return "it is programmed in a block of its own";

@@ -70,7 +70,8 @@ void check(const RowOfBlock& block, Reporter& reporter) {
         if (!word.has_value()) continue; // MAC109 speaks of that, or MAC106 of its letter O
         if (block.is_taken_anywhere(word) ||
             block.index.words_of_codes().may_take(block.code, word.address) ||
-            has_word(row.words, word.address) || block.may_belong_to_another(word))
+            has_word(row.words, word.address) || block.may_belong_to_another(word) ||
+            block.may_go_on_to(word))
             continue;
         block.report(
             reporter, word, row.words.empty() ? "wordless" : "unlisted",

@@ -28,14 +28,18 @@ struct WordRow {
     std::string_view code;
     std::string_view words = {}; ///< addresses: "Q", "X Y Z"; of what precedes, codes that must not follow
     /// Addresses, beside which "O=1|2" is one with such a value; of what precedes or stands apart, codes.
+    /// Of blocks that the words enclose: codes that must not stand between.
     std::string_view others = {};
+    std::string_view first_block = {}; ///< of those blocks: codes of which the first one holds one
 
-    /// Of a value: the bounds and the values allowed. A word whose value is calculated is not looked at.
+    /// Of a value, or of a number of words: the bounds and the values allowed. A word whose value is
+    /// calculated is not looked at.
     double least = -std::numeric_limits<double>::infinity();
     double most = std::numeric_limits<double>::infinity();
     bool above_least = false; ///< the least itself is too little
     bool below_most = false;
     std::string_view values = {}; ///< "0 1 2"; others are wrong
+    int modulo = 0; ///< what a value leaves when it is divided by this counts, and not the value; 0: itself
 
     /// Only there: names of sections (PROGRAM_HEAD for one of two words), codes of which one is surely in
     /// force in the block, its own included.
@@ -78,7 +82,7 @@ struct WordTable {
     std::span<const WordRow> rows;
 };
 
-/// All tables: the one place that lists them.
+/// All tables: those of the chapters of codes and of the books of addresses.
 [[nodiscard]] std::span<const WordTable* const> all_word_tables();
 
 } // namespace maclint

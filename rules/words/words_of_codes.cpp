@@ -21,7 +21,8 @@ bool may_be_of(const CodePage& page, const ControlModel& control) {
 
 } // namespace
 
-WordsOfCodes::WordsOfCodes(const ControlModel& control, std::string_view section) {
+WordsOfCodes::WordsOfCodes(const ControlModel& control, std::string_view section)
+    : is_assumed_(control.assumed) {
     for (const CodePage& page : all_code_pages()) {
         if (!may_be_of(page, control)) continue;
         if (section != unknown_section && !stands_in(page.sections(), section)) continue;
@@ -45,6 +46,8 @@ bool WordsOfCodes::may_take(const Word& code, std::string_view address) const {
 }
 
 bool WordsOfCodes::may_take(char letter, double code, std::string_view address) const {
+    constexpr double first_of_builders = 10; // M functions; most machines share those below
+    if (is_assumed_ && letter == 'M' && code >= first_of_builders) return true;
     const auto found = words_.find({letter, code});
     return found == words_.end() || std::ranges::find(found->second, address) != found->second.end();
 }

@@ -25,6 +25,7 @@ class WordsOfCodes {
     [[nodiscard]] bool may_take(char letter, double code, std::string_view address) const;
 
   private:
+    bool is_assumed_;
     std::map<std::pair<char, double>, std::vector<std::string_view>> words_;
 };
 

@@ -1,6 +1,8 @@
 //! Every key by which a rule names its source is explained.
 #include "cli/report/sources.hpp"
 #include "rules/rule.hpp"
+#include "rules/words/code_pages.hpp"
+#include "rules/words/rule_row.hpp"
 #include "tests/support/folder.hpp"
 
 #include <set>
@@ -36,6 +38,12 @@ TEST(Sources, AreExplainedKeyByKey) {
     for (const Rule* rule : all_rules())
         for (const std::string_view source : rule->sources)
             EXPECT_TRUE(keys.contains(key_of(source))) << rule->code << ": " << source;
+    for (const RuleRow& row : all_rule_rows())
+        for (const RowForCode& one : row.rows)
+            EXPECT_TRUE(keys.contains(key_of(one.row->source))) << row.name() << ": " << one.row->source;
+    for (const CodePage& page : all_code_pages())
+        for (const BookLine& line : page.lines)
+            EXPECT_TRUE(line.source.empty() || keys.contains(key_of(line.source))) << line.source;
 }
 
 TEST(Sources, AreNamedInThePagesOfTheTerminalAsInTheTable) {

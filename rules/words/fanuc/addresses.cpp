@@ -10,6 +10,7 @@ constexpr RowAlarm minus[] = {{of_16i, "006"}, {of_30i, "006"}};
 constexpr RowAlarm digits[] = {{of_16i, "003"}, {of_30i, "003"}};
 
 constexpr std::string_view named = "fanuc-16i fanuc-0i-c fanuc-0i-d fanuc-30i";
+constexpr std::string_view of_haas = "haas haas-1999";
 using enum Severity;
 
 // P has no point either, but is left to the codes: a dwell in seconds, an angle, a lead have one on some
@@ -20,11 +21,20 @@ constexpr AddressLine lines[] = {
     {.addresses = "M",   .means = "machine function", .whole = true, .positive = true, .most_digits = 8, .controls = named,    .severity = error, .source = "CSDN-PS"},
     {.addresses = "S",   .means = "spindle speed",    .whole = true, .positive = true, .most_digits = 8, .controls = named,    .severity = warning, .source = "SINHA-INT"},
     {.addresses = "T",   .means = "tool",             .whole = true, .positive = true, .most_digits = 8, .controls = named,    .severity = error, .source = "CSDN-PS"},
-    {.addresses = "H D", .means = "offset number",    .whole = true, .positive = true, .most_digits = 8, .controls = named,    .severity = error, .source = "CSDN-PS"},
     {.addresses = "L",   .means = "number of repeats",.whole = true, .positive = true, .most_digits = 8, .controls = named,    .severity = error, .source = "CSDN-PS"},
     {.addresses = "F",   .means = "feed",             .positive = true,                .most_digits = 8, .controls = named,    .severity = error, .source = "CSDN-PS"},
     {.addresses = "X Y Z U V W A B C I J K R Q", .means = "coordinate", .most_digits = 8, .controls = named,    .severity = error, .source = "CSDN-PS"},
     {.addresses = "P",   .means = "number",           .most_digits = 8, .controls = named, .severity = error, .source = "CSDN-PS"},
+    {.addresses = "F",   .means = "feed",             .positive = true,                .most_digits = 5, .controls = of_haas,  .severity = warning, .source = "T"},
+    {.addresses = "M",   .means = "machine function", .positive = true,                .most_digits = 3, .controls = of_haas,  .severity = warning, .source = "T"},
+    {.addresses = "S",   .means = "spindle speed",    .positive = true,                .most_digits = 5, .controls = of_haas,  .severity = warning, .source = "T"},
+    {.addresses = "T",   .means = "tool",             .positive = true,                .most_digits = 4, .controls = of_haas,  .severity = warning, .source = "T"},
+    {.addresses = "L",   .means = "number of repeats",.positive = true,                .most_digits = 5, .controls = of_haas,  .severity = warning, .source = "T"},
+};
+
+// On a lathe H is a step of C, D a depth of cut.
+constexpr AddressLine of_mills[] = {
+    {.addresses = "H D", .means = "offset number",    .whole = true, .positive = true, .most_digits = 8, .controls = named,    .severity = error, .source = "CSDN-PS"},
 };
 // clang-format on
 
@@ -36,5 +46,13 @@ extern const AddressBook fanuc{.language = "fanuc",
                                .minus = minus,
                                .digits = digits,
                                .lines = lines};
+
+extern const AddressBook fanuc_mill{.language = "fanuc",
+                                    .machine = Machine::mill,
+                                    .assumed = "fanuc",
+                                    .point = point,
+                                    .minus = minus,
+                                    .digits = digits,
+                                    .lines = of_mills};
 
 } // namespace maclint::address_books

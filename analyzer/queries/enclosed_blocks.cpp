@@ -1,0 +1,41 @@
+//! Reads plain blocks again where they may be meant.
+#include "analyzer/queries/enclosed_blocks.hpp"
+
+#include <algorithm>
+
+namespace maclint::queries {
+namespace {
+
+struct OneNumber {
+    std::int64_t number;
+    bool operator()(std::int64_t other) const { return other == number; }
+    [[nodiscard]] bool between(std::int64_t lowest, std::int64_t highest) const {
+        return lowest <= number && number <= highest;
+    }
+};
+
+} // namespace
+
+std::vector<Span> blocks_numbered(const Program& program, std::int64_t number) {
+    std::vector<Span> places;
+    for (const Section& section : program.sections)
+        for_each_numbered_block(program, section, OneNumber{number},
+                                [&](const BlockView& block) { places.push_back(block.span); });
+    return places;
+}
+
+void for_each_block_in(const Program& program, Span part,
+                       const std::function<void(const BlockView&, std::span<const Word>)>& visit) {
+    for_each_block_with_words(
+        program, {0, static_cast<Id>(program.items.size())},
+        [&](const PlainRun& run, const auto& take) {
+            const Span common{std::max(run.span.begin, part.begin), std::min(run.span.end, part.end)};
+            if (common.begin < common.end) take(common);
+        },
+        [](const WordSummary&) { return true; },
+        [&](const BlockView& block, std::span<const Word> words, const WordSummary*) {
+            if (block.span.begin >= part.begin && block.span.begin < part.end) visit(block, words);
+        });
+}
+
+} // namespace maclint::queries

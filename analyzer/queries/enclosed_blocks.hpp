@@ -1,0 +1,20 @@
+//! Blocks that others name by their sequence numbers: where they stand, and what stands between two of them.
+#pragma once
+
+#include "analyzer/program/block_view.hpp"
+
+#include <cstdint>
+#include <functional>
+#include <span>
+#include <vector>
+
+namespace maclint::queries {
+
+/// Where the blocks with that number stand in the program, in the order of the text; skipped ones, too.
+[[nodiscard]] std::vector<Span> blocks_numbered(const Program& program, std::int64_t number);
+
+/// `visit(block, words)` for the blocks with words that begin in the part.
+void for_each_block_in(const Program& program, Span part,
+                       const std::function<void(const BlockView&, std::span<const Word>)>& visit);
+
+} // namespace maclint::queries
