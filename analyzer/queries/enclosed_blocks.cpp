@@ -2,6 +2,8 @@
 #include "analyzer/queries/enclosed_blocks.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <variant>
 
 namespace maclint::queries {
 namespace {
@@ -22,6 +24,15 @@ std::vector<Span> blocks_numbered(const Program& program, std::int64_t number) {
         for_each_numbered_block(program, section, OneNumber{number},
                                 [&](const BlockView& block) { places.push_back(block.span); });
     return places;
+}
+
+std::optional<std::int64_t> block_number(const Word& word) {
+    constexpr double most = 1e9;
+    const auto* value = std::get_if<Literal>(&word.value);
+    if (value == nullptr || value->value < 0 || value->value > most ||
+        value->value != std::floor(value->value))
+        return std::nullopt;
+    return static_cast<std::int64_t>(value->value);
 }
 
 void for_each_block_in(const Program& program, Span part,

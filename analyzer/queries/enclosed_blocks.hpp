@@ -5,6 +5,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -12,6 +13,9 @@ namespace maclint::queries {
 
 /// Where the blocks with that number stand in the program, in the order of the text; skipped ones, too.
 [[nodiscard]] std::vector<Span> blocks_numbered(const Program& program, std::int64_t number);
+
+/// The number of a block that a word names; nothing where it is calculated, or can be none.
+[[nodiscard]] std::optional<std::int64_t> block_number(const Word& word);
 
 /// `visit(block, words)` for the blocks with words that begin in the part.
 void for_each_block_in(const Program& program, Span part,

@@ -47,6 +47,13 @@ void add_milder(std::vector<WordRow>& rows, std::size_t first, std::string_view 
 
 } // namespace
 
+std::string_view meaning_of_address(std::string_view language, std::string_view address) {
+    for (const AddressBook* book : all_address_books())
+        for (const AddressLine& line : book->lines)
+            if (book->language == language && has_word(line.addresses, address)) return line.means;
+    return {};
+}
+
 std::vector<WordRow> rows_of(const AddressBook& book) {
     std::vector<WordRow> rows;
     for (const AddressLine& line : book.lines)
@@ -62,7 +69,7 @@ std::vector<WordRow> rows_of(const AddressBook& book) {
                 rows.push_back(row_of(line, address, RowStatement::digits, book.digits, "the control stops"));
                 rows.back().most = line.most_digits;
             }
-            if (line.severity == Severity::error) add_milder(rows, first, book.assumed);
+            if (line.severity == Severity::error && !book.assumed.empty()) add_milder(rows, first, book.assumed);
         }
     return rows;
 }

@@ -27,12 +27,15 @@ struct AddressLine {
 struct AddressBook {
     std::string_view language;
     std::optional<Machine> machine = {}; ///< nothing: mills and lathes
-    std::string_view assumed; ///< the control that is taken where nobody has named one; there they warn
+    std::string_view assumed; ///< the control that is taken where nobody has named one; there they warn.
+                              ///< Empty: there nothing is said
     std::span<const RowAlarm> point, minus, digits; ///< raised where a line is not kept
     std::span<const AddressLine> lines;
 };
 
 [[nodiscard]] std::span<const AddressBook* const> all_address_books();
+/// What an address is where no code says more: "tool"; empty: nobody says it.
+[[nodiscard]] std::string_view meaning_of_address(std::string_view language, std::string_view address);
 /// A row for each address and each thing that is said of it; they point into the book.
 [[nodiscard]] std::vector<WordRow> rows_of(const AddressBook& book);
 

@@ -21,7 +21,7 @@ struct BookLanguage {
 
 inline constexpr std::array book_languages = {
     BookLanguage{"dinplus", "G M T N F S", "Q H V W D B E J U R O P C A QK", false},
-    BookLanguage{"fanuc", "G M T N F S O H D E X Y Z U V W A B C ,R ,C ,A", "Q P L K J I R", true},
+    BookLanguage{"fanuc", "G M T N F S O H D E X Y Z U V W A B C ,R ,C ,A", "Q K L J I R P", true},
 };
 
 [[nodiscard]] constexpr const BookLanguage& book_language(std::string_view language) {

@@ -28,7 +28,7 @@ struct BookLine {
     std::string_view source =
         {}; ///< key of docs/sources.md, where it is not the book's with `line`: "GH-ALM"
 
-    /// A copy with a field of the row changed.
+
     template<class Value>
     [[nodiscard]] constexpr BookLine with(Value WordRow::*field, Value value) const {
         BookLine copy = *this;
@@ -64,15 +64,12 @@ struct BookLine {
         copy.absent = what;
         return copy;
     }
-    /// Conditions on words of the block: WordRow::when.
     [[nodiscard]] constexpr BookLine when(std::string_view conditions) const {
         return with(&WordRow::when, conditions);
     }
-    /// Codes of the block after: WordRow::unless_next.
     [[nodiscard]] constexpr BookLine unless_next(std::string_view codes) const {
         return with(&WordRow::unless_next, codes);
     }
-    /// Codes of the block before: WordRow::after, WordRow::unless_after.
     [[nodiscard]] constexpr BookLine after(std::string_view codes) const {
         return with(&WordRow::after, codes);
     }
@@ -89,7 +86,7 @@ struct BookLine {
     [[nodiscard]] constexpr BookLine also(std::string_view aliases) const {
         return with(&WordRow::aliases, aliases);
     }
-    /// Only on these controls, only of lathes with these systems: WordRow::controls, WordRow::systems.
+    /// Only on these controls, of lathes with these systems.
     [[nodiscard]] constexpr BookLine on(std::string_view controls) const {
         return with(&WordRow::controls, controls);
     }
@@ -98,7 +95,6 @@ struct BookLine {
     }
     /// What a value leaves when it is divided by the number counts: WordRow::modulo.
     [[nodiscard]] constexpr BookLine rest_of(int number) const { return with(&WordRow::modulo, number); }
-    /// Only where one of these codes is surely in force: WordRow::under.
     [[nodiscard]] constexpr BookLine under(std::string_view codes) const {
         return with(&WordRow::under, codes);
     }

@@ -73,8 +73,10 @@ class Writer {
 
     static std::string_view meaning_on(const CodePage& page, std::string_view words) {
         for (const BookLine& line : page.lines)
-            if (line.kind == BookLine::Kind::word && line.row.words == words) return line.row.means;
-        return {};
+            if (line.kind == BookLine::Kind::word &&
+                (line.row.words == words || has_word(line.row.words, words)))
+                return line.row.means;
+        return meaning_of_address(page.book->language, words);
     }
 
     void add_rows(const CodePage& page, std::vector<WordRow>& rows) {
@@ -88,6 +90,7 @@ class Writer {
             if (line.need == Need::likely || line.need == Need::sure) add_need(page, line, rows);
             if (has_values(line.row)) add_values(page, line, rows);
         }
+        if (page.book->partial || page.head->row.in_calls) return; // words of a call are arguments
         if (std::ranges::any_of(page.lines, [](const BookLine& line) {
                 return line.kind == BookLine::Kind::statement && line.row.says == RowStatement::alone;
             }))

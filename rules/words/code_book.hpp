@@ -17,6 +17,8 @@ struct CodeBook {
     std::string_view sections;           ///< where a code names none
     std::optional<Machine> machine = {}; ///< nothing: of mills and lathes
     std::string_view controls = {};      ///< names or models, where a code names none; empty: any
+    /// Pages of the manual are missing: nothing is said of codes and words that it does not name.
+    bool partial = false;
     std::span<const BookLine> lines;
 
     /// For its rows.

@@ -107,7 +107,7 @@ bool ExampleBlock::mend(ExampleWords& words, const WordRow& row, std::string_vie
     if (row.says == RowStatement::values)
         for (const auto& [address, value] : words)
             if (has_word(row.words, address) && !takes_written(row, value) && !row.when.empty()) {
-                words.set(std::string(address), allowed_value(row));
+                words.set(std::string(address), allowed_value(row) + (value.ends_with('.') ? "." : ""));
                 return true;
             }
     return false;

@@ -53,12 +53,15 @@ bool takes_written(const WordRow& row, const std::string& value) {
 std::string allowed_value(const WordRow& row) {
     if (!row.values.empty()) return std::string(words_of(row.values).front());
     if (!std::isfinite(row.most)) return number_word(row.above_least ? row.least + 1 : row.least);
-    return number_word(std::isfinite(row.least) ? (row.least + row.most) / 2 : row.most - 1);
+    if (!std::isfinite(row.least)) return number_word(row.most - 1);
+    const double middle = (row.least + row.most) / 2;
+    return number_word(std::floor(middle) > row.least ? std::floor(middle) : middle);
 }
 
 std::string refused_value(const WordRow& row) {
     if (!row.values.empty()) return "99999";
-    return number_word(std::isfinite(row.most) ? row.most + 1 : row.least - 1);
+    if (std::isfinite(row.most)) return number_word(row.most + 1);
+    return number_word(row.above_least ? row.least : row.least - 1);
 }
 
 } // namespace maclint

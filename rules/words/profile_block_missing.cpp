@@ -1,16 +1,6 @@
 //! MAC338: a cycle names blocks that are not there, or not such as it can work with.
-#include "analyzer/queries/enclosed_blocks.hpp"
-#include "analyzer/queries/next_block.hpp"
-#include "analyzer/workspace/program_analysis.hpp"
-#include "rules/path.hpp"
-#include "rules/words/row_of_block.hpp"
-#include "rules/words/row_text.hpp"
-#include "rules/words/word_list.hpp"
 
-#include <cmath>
-#include <optional>
-#include <string>
-#include <variant>
+#include "rules/words/profile.hpp"
 
 namespace maclint::rules {
 
@@ -79,85 +69,7 @@ M30
 
 namespace {
 
-/// Whether the word is one of the codes, or has one of the addresses.
-bool is_one_of(std::string_view list, const Word& word) {
-    const std::string code = RowOfBlock::code_of(word);
-    return has_word(list, word.address) || (!code.empty() && has_word(list, code));
-}
-
-/// The block that a word of the cycle names.
-struct Named {
-    const Word& word;
-    std::int64_t number;
-    Span place;
-};
-
-class Profile {
-  public:
-    Profile(const RowOfBlock& block, Reporter& reporter)
-        : block_(block)
-        , reporter_(reporter) {}
-
-    void look() {
-        const auto addresses = words_of(block_.row().words);
-        const auto first = named_by(addresses.front());
-        const auto last = named_by(addresses.back());
-        if (!first || !last) return;
-        if (last->place.begin < first->place.begin)
-            report(last->word, "order", {number_of(*last), number_of(*first)});
-        else
-            look_between(*first, *last);
-    }
-
-  private:
-    [[nodiscard]] const Program& program() const { return block_.block.analysis.program(); }
-    [[nodiscard]] static std::string number_of(const Named& named) { return std::to_string(named.number); }
-
-    void report(const Word& word, std::string_view id, std::vector<std::string> more) {
-        std::vector<std::string> arguments{block_.text_of(word), block_.text_of(block_.code)};
-        for (std::string& one : more) arguments.push_back(std::move(one));
-        block_.report(reporter_, word, id, std::move(arguments));
-    }
-
-    /// Nothing: the word is missing or calculated, or what it names was told of.
-    std::optional<Named> named_by(std::string_view address) {
-        const auto own = block_.own(address);
-        const auto* value = own.empty() ? nullptr : std::get_if<Literal>(&own.front()->value);
-        if (value == nullptr || value->value != std::floor(value->value) || std::abs(value->value) > 1e9)
-            return std::nullopt;
-        const auto number = static_cast<std::int64_t>(value->value);
-        const auto places = queries::blocks_numbered(program(), number);
-        if (places.size() == 1) return Named{*own.front(), number, places.front()};
-        if (places.empty())
-            report(*own.front(), "missing", {std::to_string(number)});
-        else
-            report(*own.front(), "twice", {std::to_string(number), std::to_string(places.size())});
-        return std::nullopt;
-    }
-
-    void look_between(const Named& first, const Named& last) {
-        const WordRow& row = block_.row();
-        bool is_first = true;
-        queries::for_each_block_in(
-            program(), {first.place.begin, last.place.end},
-            [&](const BlockView&, std::span<const Word> words) {
-                const std::vector<Word> all(words.begin(), words.end());
-                if (std::exchange(is_first, false) && !row.first_block.empty() &&
-                    !queries::holds_code(all, row.first_block))
-                    report(first.word, "first", {number_of(first), either_of(row.first_block)});
-                for (const Word& word : words)
-                    if (is_one_of(row.others, word))
-                        block_.report(reporter_, word, "inside",
-                                      {block_.text_of(word), block_.text_of(block_.code), number_of(first),
-                                       number_of(last), std::string(row.effect)});
-            });
-    }
-
-    const RowOfBlock& block_;
-    Reporter& reporter_;
-};
-
-void check(const RowOfBlock& block, Reporter& reporter) { Profile(block, reporter).look(); }
+void check(const RowOfBlock& block, Reporter& reporter) { look_at_profile(block, reporter); }
 
 } // namespace
 } // namespace maclint::rules

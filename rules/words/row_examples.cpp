@@ -3,6 +3,7 @@
 
 #include "analyzer/dialect/dialect.hpp"
 #include "rules/words/code_pages.hpp"
+#include "rules/words/example_after.hpp"
 #include "rules/words/example_block.hpp"
 #include "rules/words/example_frames.hpp"
 #include "rules/words/row_text.hpp"
@@ -13,16 +14,6 @@
 
 namespace maclint {
 namespace {
-
-/// The first control that the row is for.
-const ControlModel& example_control(const RowForCode& row) {
-    const std::string_view names = row.row->controls.empty() ? row.table->controls : row.row->controls;
-    const ControlModel* control =
-        find_control(names.empty() ? find_dialect(row.table->language)->default_control : first_of(names));
-    if (row.table->machine == Machine::lathe && control->machine != Machine::lathe)
-        control = control->lathe_of(row.row->systems.empty() ? 'A' : row.row->systems.front());
-    return *control;
-}
 
 /// Writes programs round blocks with the code of a row.
 class ProgramWriter {
@@ -48,7 +39,7 @@ class ProgramWriter {
         if (!row_.after.empty()) text += block_with(first_of(row_.after)).text() + "\n";
         text += kept ? block_.text_that_keeps(row_) : block_.text(&row_);
         if (row_.says == RowStatement::apart && !kept) text += " " + std::string(first_of(row_.others));
-        text += "\n" + next_block(kept) + enclosed_blocks(kept) + data_blocks(kept);
+        text += "\n" + blocks_after(of_code_, block_, {control_, frame_, section_}, kept);
         return text + end(section_);
     }
 
@@ -89,48 +80,6 @@ class ProgramWriter {
         std::string text = heading(section) + block.text() + "\n";
         if (order != nullptr) text += ExampleBlock(control_, first_of(order->others), section).text() + "\n";
         return text + end(section);
-    }
-
-    /// Those up to the code that ends them, one of them with a foreign word where that row is broken.
-    [[nodiscard]] std::string data_blocks(bool kept) const {
-        const WordRow* row = block_.begun_data(&row_);
-        if (row == nullptr) return {};
-        return std::string(first_of(row->words)) + "1" + (kept || row != &row_ ? "" : " G1") + "\n" +
-               std::string(first_of(row->others)) + "\n";
-    }
-
-    /// Those that the block numbers; the last one is missing where that row is broken.
-    [[nodiscard]] std::string enclosed_blocks(bool kept) const {
-        const WordRow* row = block_.enclosed();
-        if (row == nullptr) return {};
-        const std::string code(row->first_block.empty() ? "G1" : first_of(row->first_block));
-        std::string blocks = "N10 " + code + std::string(frame_.straight) + "\n";
-        if (kept || row != &row_) blocks += "N20 G1" + std::string(frame_.straight) + "\n";
-        return blocks;
-    }
-
-    /// What the row on the block after wants, or something else; nothing where no row says anything of it.
-    [[nodiscard]] std::string next_block(bool kept) const {
-        const bool is_order = row_.says == RowStatement::precedes;
-        const WordRow* order = is_order ? &row_ : block_.order(&row_);
-        if (order == nullptr) return {};
-        if (is_order && row_.others.empty())
-            return (kept ? other_code_than(row_.words) : block_with(first_of(row_.words)).text()) + "\n";
-        if (kept || !is_order) return block_with(first_of(order->others)).text() + "\n";
-        return other_code_than(order->others) + "\n";
-    }
-
-    /// A block of the section with a code that is none of these, and wants nothing of the block after.
-    [[nodiscard]] std::string other_code_than(std::string_view codes) const {
-        for (const CodePage& page : all_code_pages()) {
-            const std::string_view code = first_of(page.head->row.code);
-            if (!page.is_of(control_) || !has_word(page.sections(), section_) ||
-                code.front() != of_code_.letter || has_word(codes, code) || code == code_of(of_code_))
-                continue;
-            const ExampleBlock block = block_with(code);
-            if (block.order() == nullptr) return block.text();
-        }
-        return std::string(frame_.arc);
     }
 
     const RowForCode& of_code_;

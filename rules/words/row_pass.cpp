@@ -57,6 +57,13 @@ bool holds_between(const queries::WordsOfBlock& block, const WordRow& row) {
     return row.unless_later.empty() || !queries::comes_later(block, row.unless_later);
 }
 
+/// Whether the row's code, which a shop could make a call of its own, is one of the named control's.
+bool is_builtin(const queries::WordsOfBlock& block, const RowForCode& row) {
+    constexpr double first_free = 100;
+    return !row.is_of_address() && !block.analysis.control().assumed && row.letter == 'G' &&
+           row.code >= first_free;
+}
+
 } // namespace
 
 RowPass::RowPass(std::span<const Rule* const> rules) {
@@ -77,7 +84,9 @@ void RowPass::look_at(const queries::WordsOfBlock& block, const RowIndex& index,
     if (reporter == reporters_.end()) return;
     const WordRow& row = *entry.row->row;
     // Words of a block that calls are arguments; of some that may be skipped nobody knows which stand there.
-    if ((!row.in_calls && queries::calls(block)) || queries::has_alternatives(block)) return;
+    if ((!row.in_calls && queries::calls(block) && !is_builtin(block, *entry.row)) ||
+        queries::has_alternatives(block))
+        return;
     if (row.kept && !is_first_of_its_kind(block, *entry.row)) return;
     if (!holds_beside(block, code, row.when) || !holds_between(block, row)) return;
     std::string under = row.under.empty() ? std::string() : in_force(block, row);

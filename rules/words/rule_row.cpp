@@ -41,6 +41,7 @@ std::string key_of(const RowForCode& code) {
     for (const std::string_view condition : words_of(row.when))
         key += condition.starts_with('-') ? "-NO" + std::string(condition.substr(1))
                                           : "-" + std::string(condition);
+    if (row.modulo != 0) key += "-REST";
     std::erase_if(key, [](char c) { return std::string_view("=?!|").find(c) != std::string_view::npos; });
     return key;
 }

@@ -1,4 +1,5 @@
 //! MAC581: a word that the manual does not list for a code.
+#include "analyzer/dataflow/facts/point_state.hpp"
 #include "rules/words/book_language.hpp"
 #include "rules/words/row_index.hpp"
 #include "rules/words/row_of_block.hpp"
@@ -22,6 +23,7 @@ extern const Rule word_not_listed{
            " control refuses the block, or passes the word over and does without what was meant.",
     .severity = Severity::warning,
     .precision = Precision::high,
+    .facts = dataflow::facts<dataflow::BeforeNode>(),
     .messages = {{"unlisted", "Word '{0}' beside {1}, which does not take it: {2}.",
                   "Write {3}, or give '{0}' a block of its own."},
                  {"wordless", "Word '{0}' beside {1}, which takes no words: {2}.",
@@ -31,6 +33,13 @@ extern const Rule word_not_listed{
 MACHINING
 N1 G14 Q0 H2
 END
+)nc"},
+            {"fanuc", R"nc(
+O9581(PART)
+G90 G54 G80 G0 X0 Y0
+G81 X10. Y10. Z-5. R2. Q1. F100.
+G80
+M30
 )nc"}},
     .good = {{"dinplus", R"nc(
 %TULO.NC

@@ -19,20 +19,21 @@ using enum Severity;
 // clang-format off
 constexpr AddressLine lines[] = {
     {.addresses = "M",   .means = "machine function", .whole = true, .positive = true, .most_digits = 8, .controls = named,    .severity = error, .source = "CSDN-PS"},
-    {.addresses = "S",   .means = "spindle speed",    .whole = true, .positive = true, .most_digits = 8, .controls = named,    .severity = warning, .source = "SINHA-INT"},
+    {.addresses = "S",   .means = "spindle speed",    .whole = true, .positive = true, .most_digits = 8, .controls = named,    .severity = warning, .source = "SINHA-EXP"},
     {.addresses = "T",   .means = "tool",             .whole = true, .positive = true, .most_digits = 8, .controls = named,    .severity = error, .source = "CSDN-PS"},
     {.addresses = "L",   .means = "number of repeats",.whole = true, .positive = true, .most_digits = 8, .controls = named,    .severity = error, .source = "CSDN-PS"},
     {.addresses = "F",   .means = "feed",             .positive = true,                .most_digits = 8, .controls = named,    .severity = error, .source = "CSDN-PS"},
     {.addresses = "X Y Z U V W A B C I J K R Q", .means = "coordinate", .most_digits = 8, .controls = named,    .severity = error, .source = "CSDN-PS"},
+    {.addresses = ",A", .means = "angle of a line", .controls = named, .severity = warning, .source = "T"},
     {.addresses = "P",   .means = "number",           .most_digits = 8, .controls = named, .severity = error, .source = "CSDN-PS"},
-    {.addresses = "F",   .means = "feed",             .positive = true,                .most_digits = 5, .controls = of_haas,  .severity = warning, .source = "T"},
-    {.addresses = "M",   .means = "machine function", .positive = true,                .most_digits = 3, .controls = of_haas,  .severity = warning, .source = "T"},
-    {.addresses = "S",   .means = "spindle speed",    .positive = true,                .most_digits = 5, .controls = of_haas,  .severity = warning, .source = "T"},
-    {.addresses = "T",   .means = "tool",             .positive = true,                .most_digits = 4, .controls = of_haas,  .severity = warning, .source = "T"},
-    {.addresses = "L",   .means = "number of repeats",.positive = true,                .most_digits = 5, .controls = of_haas,  .severity = warning, .source = "T"},
+    {.addresses = "F",   .means = "feed",             .positive = true,                                 .controls = of_haas,  .severity = warning, .source = "T"},
+    {.addresses = "M",   .means = "machine function", .positive = true,                                 .controls = of_haas,  .severity = warning, .source = "T"},
+    {.addresses = "S",   .means = "spindle speed",    .positive = true,                                 .controls = of_haas,  .severity = warning, .source = "T"},
+    {.addresses = "T",   .means = "tool",             .positive = true,                                 .controls = of_haas,  .severity = warning, .source = "T"},
+    {.addresses = "L",   .means = "number of repeats",.positive = true,                                 .controls = of_haas,  .severity = warning, .source = "T"},
 };
 
-// On a lathe H is a step of C, D a depth of cut.
+// On a lathe H is a step of C, D a depth of cut; a text of which nobody knows the control may be of one.
 constexpr AddressLine of_mills[] = {
     {.addresses = "H D", .means = "offset number",    .whole = true, .positive = true, .most_digits = 8, .controls = named,    .severity = error, .source = "CSDN-PS"},
 };
@@ -49,7 +50,7 @@ extern const AddressBook fanuc{.language = "fanuc",
 
 extern const AddressBook fanuc_mill{.language = "fanuc",
                                     .machine = Machine::mill,
-                                    .assumed = "fanuc",
+                                    .assumed = "",
                                     .point = point,
                                     .minus = minus,
                                     .digits = digits,

@@ -15,7 +15,7 @@ constexpr BookLine place = word("X Y", "H99:191", "position of the hole").withou
                    feed = word("F", "H99:191", "feed").without("feed in force"),
                    repeats = word("L", "H99:191", "number of holes, 0 stores the cycle alone").without("1"),
                    cleaning = word("E", "HDIY:g82-spot-drill-canned-cycle", "spindle speed at which chips are thrown off");
-constexpr std::string_view call_takes_p = "P names the program or block there";
+constexpr std::string_view call_takes_p = "the call takes it for its program";
 
 // clang-format off
 constexpr BookLine lines[] = {
@@ -59,7 +59,7 @@ constexpr BookLine lines[] = {
         word("P", "H99:185", "dwell at the bottom", ">=0"),
         needs("Q I", "H99:185", "depth of a peck", "the control stops, or drills the hole in one stroke").kept(),
         only_with("J", "I", "H99:185", "only a first peck can be reduced").when("Q"),
-        apart("M97 M98 M99 G65", "H99:185", call_takes_p).when("P").in_calls(),
+        apart("M98 M99 G65", "H99:185", call_takes_p).when("P").in_calls(),
     code("G74", "HLIST", "tapping of left-hand threads"),
         place, rotary, bottom, plane, repeats, cleaning,
         word("F", "HDESC", "feed: speed x pitch").without("feed in force"),
@@ -89,7 +89,7 @@ constexpr BookLine lines[] = {
         place, rotary, bottom, plane, feed, repeats, cleaning,
         word("P", "HDIY:g82-spot-drill-canned-cycle", "dwell at the bottom", ">=0"),
         needs("P", "T", "dwell at the bottom", "the tool does not wait at the bottom, as with G81").kept(),
-        apart("M97 M98 M99 G65", "H99:191", call_takes_p).when("P").in_calls(),
+        apart("M98 M99 G65", "H99:191", call_takes_p).when("P").in_calls(),
     code("G83", "H99:191", "peck drilling"),
         place, rotary, bottom, plane, feed, repeats, cleaning,
         word("Q", "H99:191", "depth of a peck", ">0"),
@@ -99,7 +99,7 @@ constexpr BookLine lines[] = {
         word("P", "H99:191", "dwell after the last peck", ">=0"),
         needs("Q I", "H99:191", "depth of a peck", "the control stops, or drills the hole in one stroke").kept(),
         only_with("J", "I", "H99:191", "only a first peck can be reduced").when("Q"),
-        apart("M97 M98 M99 G65", "H99:191", call_takes_p).when("P").in_calls(),
+        apart("M98 M99 G65", "H99:191", call_takes_p).when("P").in_calls(),
     code("G84", "HLIST", "tapping"),
         place, rotary, bottom, plane, repeats, cleaning,
         word("F", "HDESC", "feed: speed x pitch").without("feed in force"),

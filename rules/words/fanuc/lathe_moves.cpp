@@ -47,7 +47,6 @@ constexpr BookLine lines[] = {
         excludes("I", "K", "GH-ALM", one_corner).alarm(of_16i, "053").alarm(of_30i, "053"),
         excludes("I", "X U", "GH-ALM", "a chamfer by I follows a move along Z").when("-K").on(newer).alarm(of_30i, "306"),
         excludes("K", "Z W", "GH-ALM", "a chamfer by K follows a move along X").when("-I").on(newer).alarm(of_30i, "306"),
-        takes_not(",A", "GH-ALM", "lines by their angle are drawn in the plane ZX").under("G17 G19").on(newer).alarm(of_30i, "212"),
     code("G2 G3", "MIYANO", "arc or helix: clockwise, counter-clockwise"),
         word("X Z Y", "GEDIT", "end point; X is a diameter").without("start point"),
         word("U W V", "GEDIT", "end point as a step from here").without("0"),

@@ -6,6 +6,7 @@ namespace {
 
 using namespace book;
 using enum Severity;
+constexpr std::string_view no_centre = "the control stops, or moves straight";
 constexpr std::string_view of_16i = "FANUC 16i/18i/21i", of_30i = "FANUC 30i/0i-D";
 /// Where others that nobody has named write otherwise.
 constexpr std::string_view named = "fanuc-16i fanuc-0i-c fanuc-0i-d fanuc-30i";
@@ -33,8 +34,10 @@ constexpr BookLine lines[] = {
         word("L", "F30C-99", "number of turns of a spiral (option)"),
         word("Q", "F30C-99", "change of radius in each turn of a spiral (option)"),
         word(",C ,R", "T", "chamfer or radius before the next move (option)"),
-        needs("R I J K", "CSDN-PS", "radius or centre", "the control stops, or moves straight").alarm(of_16i, "022").alarm(of_30i, "022"),
-        at_most(4, "X Y Z U V W A B C", "T", "an arc takes two axes along, beside those of its plane").on(named),
+        needs("R I J K", "CSDN-PS", "radius or centre", no_centre).when("X").alarm(of_16i, "022").alarm(of_30i, "022"),
+        needs("R I J K", "CSDN-PS", "radius or centre", no_centre).when("Y -X").alarm(of_16i, "022").alarm(of_30i, "022"),
+        needs("R I J K", "CSDN-PS", "radius or centre", no_centre).when("Z -X -Y").alarm(of_16i, "022").alarm(of_30i, "022"),
+        at_most(4, "X Y Z U V W A B C", "T", "an arc takes two axes along, beside those of its plane"),
         excludes("R", "I J K", "F15-71", "only the radius counts"),
         excludes("R", "L Q", "F30C-99", "a spiral has a centre, not a radius").on(named),
         value("L", ">0", "F30C-99", "the spiral has no turns").on(named),

@@ -93,6 +93,7 @@ extern const CodeBook nct_mill{.language = "fanuc",
                                .sections = "",
                                .machine = Machine::mill,
                                .controls = "nct",
+                               .partial = true,
                                .lines = lines};
 
 } // namespace maclint::code_books
