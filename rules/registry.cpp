@@ -20,12 +20,18 @@
     RULE(letter_o_for_zero)                     /* MAC106 */ \
     RULE(too_many_digits)                       /* MAC107 */ \
     RULE(address_without_value)                 /* MAC109 */ \
+    RULE(text_after_percent)                    /* MAC112 */ \
+    RULE(space_inside_number)                   /* MAC115 */ \
     RULE(parenthesis_as_bracket)                /* MAC116 */ \
     RULE(bracket_mismatch)                      /* MAC117 */ \
     RULE(unknown_keyword)                       /* MAC118 */ \
     RULE(symbolic_comparison)                   /* MAC119 */ \
     RULE(unreadable_block)                      /* MAC121 */ \
     RULE(unreached_text)                        /* MAC122 */ \
+    RULE(percent_in_comment)                    /* MAC125 */ \
+    RULE(decimal_comma)                         /* MAC126 */ \
+    RULE(format_of_output)                      /* MAC127 */ \
+    RULE(real_time_macro)                       /* MAC128 */ \
     RULE(assignment_to_null_variable)           /* MAC201 */ \
     RULE(variable_number_out_of_range)          /* MAC202 */ \
     RULE(write_to_read_only_variable)           /* MAC203 */ \
@@ -74,12 +80,17 @@
     RULE(subprogram_calls_nested_too_deep)      /* MAC411 */ \
     RULE(recursive_call)                        /* MAC412 */ \
     RULE(g66_not_cancelled)                     /* MAC413 */ \
+    RULE(illegal_program_number)                /* MAC452 */ \
+    RULE(duplicate_program_number)              /* MAC453 */ \
     RULE(missing_program_end)                   /* MAC455 */ \
     RULE(missing_m99)                           /* MAC456 */ \
     RULE(end_in_subprogram)                     /* MAC457 */ \
     RULE(unreachable_code)                      /* MAC460 */ \
     RULE(fallthrough_into_alarm)                /* MAC461 */ \
     RULE(duplicate_sequence_number)             /* MAC462 */ \
+    RULE(sequence_number_zero)                  /* MAC463 */ \
+    RULE(sequence_number_range)                 /* MAC464 */ \
+    RULE(n_not_first)                           /* MAC465 */ \
     RULE(call_ends_in_alarm)                    /* MAC470 */ \
     RULE(modal_state_not_restored)              /* MAC501 */ \
     RULE(compensation_or_transform_left_active) /* MAC502 */ \

@@ -1,10 +1,13 @@
 //! Turns syntax errors into findings.
 #include "rules/syntax_errors.hpp"
 
+#include "analyzer/program/faults.hpp"
 #include "analyzer/program/model.hpp"
 #include "analyzer/source/encoding.hpp"
 
 #include <algorithm>
+#include <iterator>
+#include <span>
 
 namespace maclint {
 namespace {
@@ -59,6 +62,12 @@ std::string_view message_for(const SyntaxError& error, const Reporter& reporter,
     return cure ? messages.with_cure : messages.without;
 }
 
+bool is_told(const SyntaxError& error, std::span<const std::string_view> faults) {
+    if (!faults.empty()) return std::ranges::find(faults, error.fault) != faults.end();
+    return std::ranges::find(faults::told_by_own_rules, error.fault) == std::end(faults::told_by_own_rules) &&
+           std::ranges::find(faults::of_real_time, error.fault) == std::end(faults::of_real_time);
+}
+
 void offer_remedy(const ProgramFile& file, const SyntaxError& error, Finding& finding) {
     const Remedy& remedy = error.remedy;
     if (remedy.changes.empty()) return;
@@ -85,7 +94,7 @@ void report_syntax_error(const ProgramFile& file, SyntaxErrorKind kind, Reporter
                          const SyntaxMessages& messages) {
     SyntaxCauses causes(file);
     for (const SyntaxError& error : file.syntax_errors) {
-        if (error.kind != kind) continue;
+        if (error.kind != kind || !is_told(error, messages.faults)) continue;
         Finding& finding = reporter.report(
             {file, error.span}, error.span, message_for(error, reporter, messages),
             {to_utf8(error.subject, detect_encoding(error.subject)), error.cure, error.elsewhere});

@@ -17,6 +17,8 @@ struct SyntaxMessages {
     std::string_view elsewhere = "elsewhere"; ///< where another control of the family takes it: a warning
     std::string_view unknown = "unknown";     ///< where no document tells: a note
     std::optional<Severity> severity = {};    ///< where the control stops; nothing: that of the rule
+    /// Only errors with one of these faults; none: those which no rule of its own tells.
+    std::vector<std::string_view> faults = {};
 };
 
 /// One finding for every syntax error of the kind; the arguments of its message are the offending text, the

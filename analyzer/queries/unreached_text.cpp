@@ -107,6 +107,7 @@ std::vector<UnreachedText> unreached_text(const ProgramAnalysis& analysis) {
     std::vector<UnreachedText> found;
     Region region;
     for (const SyntaxError& error : analysis.file().syntax_errors_in(analysis.program().span)) {
+        if (error.fault == faults::no_program_number) continue; // another program was to begin there
         const auto nodes = unreached_at(analysis.graph(), error.span.begin);
         if (!nodes) continue;
         const bool in_same = !found.empty() && found.back().region.contains(error.span.begin);

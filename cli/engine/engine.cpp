@@ -12,6 +12,7 @@
 #include "cli/engine/other_control.hpp"
 #include "cli/engine/read.hpp"
 #include "cli/engine/row_choice.hpp"
+#include "cli/engine/same_numbers.hpp"
 #include "rules/finding_order.hpp"
 
 #include <algorithm>
@@ -118,6 +119,7 @@ class Run {
         outlines.reserve(seen_.size());
         for (SeenFile& seen : seen_) outlines.push_back(std::move(seen.outline));
         computed_calls_ = ComputedCalls(snapshot_, outlines);
+        same_numbers_ = SameNumbers(snapshot_, outlines);
         auto groups = groups_of(outlines);
         std::erase_if(groups, [&](const Group& group) {
             return std::ranges::none_of(
@@ -183,6 +185,8 @@ class Run {
             if (file.input.asked && file.settings.dialect == nullptr) // whoever names it wants to see all
                 std::ranges::move(other_control(*programs, *seen_[i].read.dialect),
                                   std::back_inserter(findings));
+            if (file.input.asked)
+                std::ranges::move(same_numbers_.findings_in(i, *programs), std::back_inserter(findings));
             if (seen_[i].read.not_nc)
                 std::ranges::move(not_nc(*programs, *seen_[i].read.not_nc), std::back_inserter(findings));
             else
@@ -302,6 +306,7 @@ class Run {
     std::vector<SeenFile> seen_;           ///< by place in the snapshot
     std::atomic<std::size_t> at_once_ = 0; ///< bytes of texts that were asked for
     ComputedCalls computed_calls_;
+    SameNumbers same_numbers_;
     Stopwatches watches_;
     Bounds bounds_;
     Result result_;

@@ -13,7 +13,7 @@ struct SourceRow {
 };
 
 // clang-format off
-constexpr std::array<SourceRow, 101> rows{{
+constexpr std::array<SourceRow, 103> rows{{
     {"SEED-001",
      "Joni Nieminen, Parametriohjelmointi FANUC 21i-MB -ohjauksessa, thesis, Tampere 2005: "
      "macro programming on a FANUC 21i-MB, with programs that were run on the machine. Lines "
@@ -26,6 +26,8 @@ constexpr std::array<SourceRow, 101> rows{{
      "MANUALplus 620, Finnish, edition 01/2022. Lines of its text"},
     {"MAN-PB278",
      "FANUC Series 16i/18i/160i/180i-PB, operator's manual B-63684EN/01, page 278"},
+    {"MAN-PB129",
+     "FANUC Series 16i/18i/160i/180i-PB, operator's manual B-63684EN/01, page 129"},
     {"MAN-16C287",
      "FANUC Series 16/18/160/180-C for lathe, operator's manual, page 287"},
     {"NCT-9",
@@ -76,6 +78,8 @@ constexpr std::array<SourceRow, 101> rows{{
     {"IMD-MAXZ",
      "Questions and answers of an automation forum: alarm 114 and its comparisons; the "
      "greatest Z of a probing cycle"},
+    {"IMD-UI",
+     "Article of the same forum: interface signals of FANUC, #1000 to #1015 and #1100 to #1115"},
     {"ZAPP-ARG",
      "Pages of a consultant on macro programming: argument letters and their variables"},
     {"ISORP",

@@ -48,8 +48,9 @@ END2
 END1
 M30
 )nc"}},
-    .alarms = {{"FANUC 16i/18i/21i", "124", "MISSING END STATEMENT"}},
-    .sources = {"SEED-001:407"},
+    .alarms = {{"FANUC 16i/18i/21i", "124", "MISSING END STATEMENT"},
+               {"FANUC 30i/0i-D", "124", "MISSING END STATEMENT"}},
+    .sources = {"SEED-001:407", "GH-ALM"},
     .check = &check,
 };
 

@@ -39,7 +39,8 @@ WHILE[#100LT5]DO1
 END1
 M30
 )nc"}},
-    .alarms = {{"FANUC 16i/18i/21i", "124", "MISSING END STATEMENT"}},
+    .alarms = {{"FANUC 16i/18i/21i", "124", "MISSING END STATEMENT"},
+               {"FANUC 30i/0i-D", "124", "MISSING END STATEMENT"}},
     .sources = {"SEED-001:395", "GH-ALM"},
     .check = &check,
 };

@@ -29,8 +29,8 @@ IF[#100EQ2]GOTO5
 M9
 N5 M30
 )nc"}},
-    .alarms = {{"FANUC 16i/18i/21i", "127", "NC, MACRO STATEMENT IN SAME BLOCK", false},
-               {"FANUC 30i/0i-D", "127", "DUPLICATE NC,MACRO STATEMENT", false}},
+    .alarms = {{"FANUC 16i/18i/21i", "127", "NC, MACRO STATEMENT IN SAME BLOCK"},
+               {"FANUC 30i/0i-D", "127", "DUPLICATE NC,MACRO STATEMENT"}},
     .sources = {"GH-ALM", "T: the number of the alarm"},
     .check = SyntaxErrorKind::words_after_jump,
 };

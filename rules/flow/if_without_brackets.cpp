@@ -27,8 +27,9 @@ G0 X10.
 N5 M30
 )nc"}},
     .alarms = {{"FANUC 16i/18i/21i", "114", "FORMAT ERROR IN MACRO"},
-               {"FANUC 30i/0i-D", "1137", "IF STATEMENT FORMAT ERROR", false}},
-    .sources = {"SEED-001:300", "HAAS-118"},
+               {"FANUC 30i/0i-D", "1137", "IF STATEMENT FORMAT ERROR", true, "if-form"},
+               {"FANUC 30i/0i-D", "1138", "WHILE STATEMENT FORMAT ERROR", true, "while-form"}},
+    .sources = {"SEED-001:300", "HAAS-118", "GH-ALM"},
     .check = SyntaxErrorKind::condition_without_brackets,
 };
 

@@ -50,9 +50,8 @@ IF[#100LT0]#100=5.
 G0 X#100
 M30
 )nc"}},
-    .alarms = {{"FANUC 16i/18i/21i", "114", "FORMAT ERROR IN MACRO"},
-               {"FANUC 16i/18i/21i", "125", "FORMAT ERROR IN MACRO"},
-               {"FANUC 30i/0i-D", "1137", "IF STATEMENT FORMAT ERROR", false}},
+    .alarms = {{"FANUC 16i/18i/21i", "125", "FORMAT ERROR IN MACRO"},
+               {"FANUC 30i/0i-D", "1137", "IF STATEMENT FORMAT ERROR"}},
     .sources = {"SEED-001:383", "SEED-002:360", "GH-ALM"},
     .check = &check,
 };

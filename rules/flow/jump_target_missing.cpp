@@ -53,8 +53,8 @@ IF[#100EQ1]GOTO70
 N70 M30
 )nc"}},
     .alarms = {{"FANUC 16i/18i/21i", "128", "ILLEGAL MACRO SEQUENCE NUMBER"},
-               {"FANUC 30i/0i-D", "078", "SEQUENCE NUMBER NOT FOUND"},
-               {"FANUC 30i/0i-D", "1128", "SEQUENCE NUMBER OUT OF RANGE"},
+               {"FANUC 30i/0i-D", "128", "ILLEGAL MACRO SEQUENCE NUMBER"},
+               {"FANUC 30i/0i-D", "1128", "SEQUENCE NUMBER OUT OF RANGE", true, "impossible"},
                {"NCT", "3070", "NOT EXISTING BLOCK NO. P"}},
     .sources = {"NCT-188", "GH-ALM"},
     .check = &check,

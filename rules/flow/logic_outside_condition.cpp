@@ -37,9 +37,10 @@ IF[#100EQ2]OR[#101EQ4]GOTO5
 G0 X10.
 N5 M30
 )nc"}},
-    .alarms = {{"FANUC 16i/18i/21i", "114", "FORMAT ERROR IN MACRO"},
-               {"FANUC 16i/18i/21i", "125", "FORMAT ERROR IN MACRO"}},
-    .sources = {"CNCWIKI-LOGIC", "SEED-002:334"},
+    .alarms = {{"FANUC 16i/18i/21i", "125", "FORMAT ERROR IN MACRO"},
+               {"FANUC 30i/0i-D", "1137", "IF STATEMENT FORMAT ERROR", true, "if-form"},
+               {"FANUC 30i/0i-D", "1138", "WHILE STATEMENT FORMAT ERROR", true, "while-form"}},
+    .sources = {"CNCWIKI-LOGIC", "SEED-002:334", "GH-ALM"},
     .check = SyntaxErrorKind::logic_outside_brackets,
 };
 

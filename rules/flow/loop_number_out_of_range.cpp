@@ -43,8 +43,9 @@ WHILE[#100LT5]DO3
 END3
 M30
 )nc"}},
-    .alarms = {{"FANUC 16i/18i/21i", "126", "ILLEGAL LOOP NUMBER"}},
-    .sources = {"SEED-001:395", "ISORP"},
+    .alarms = {{"FANUC 16i/18i/21i", "126", "ILLEGAL LOOP NUMBER"},
+               {"FANUC 30i/0i-D", "126", "ILLEGAL LOOP NUMBER"}},
+    .sources = {"SEED-001:395", "ISORP", "GH-ALM"},
     .check = &check,
 };
 

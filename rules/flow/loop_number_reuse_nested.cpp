@@ -45,8 +45,9 @@ END2
 END1
 M30
 )nc"}},
-    .alarms = {{"FANUC 16i/18i/21i", "124", "MISSING END STATEMENT"}},
-    .sources = {"SEED-001:407", "ISORP"},
+    .alarms = {{"FANUC 16i/18i/21i", "124", "MISSING END STATEMENT"},
+               {"FANUC 30i/0i-D", "124", "MISSING END STATEMENT"}},
+    .sources = {"SEED-001:407", "ISORP", "GH-ALM"},
     .check = &check,
 };
 

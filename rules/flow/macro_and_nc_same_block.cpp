@@ -49,8 +49,8 @@ N10 #100=5.
 G0 X#100
 M30
 )nc"}},
-    .alarms = {{"FANUC 16i/18i/21i", "127", "NC, MACRO STATEMENT IN SAME BLOCK", false},
-               {"FANUC 30i/0i-D", "127", "DUPLICATE NC,MACRO STATEMENT", false}},
+    .alarms = {{"FANUC 16i/18i/21i", "127", "NC, MACRO STATEMENT IN SAME BLOCK"},
+               {"FANUC 30i/0i-D", "127", "DUPLICATE NC,MACRO STATEMENT"}},
     .sources = {"GH-ALM", "T: two statements are a note"},
     .check = &check,
 };

@@ -47,8 +47,9 @@ N16 G0 X#l1 Z2
 N17 M30
 END
 )nc"}},
-    .alarms = {{"FANUC 16i/18i/21i", "114", "FORMAT ERROR IN MACRO"}},
-    .sources = {"SINHA-EXP", "HAAS-118", "SEED-003:19643", "SEED-003:19774"},
+    .alarms = {{"FANUC 16i/18i/21i", "114", "FORMAT ERROR IN MACRO"},
+               {"FANUC 30i/0i-D", "1125", "ILLEGAL EXPRESSION FORMAT"}},
+    .sources = {"SINHA-EXP", "HAAS-118", "SEED-003:19643", "SEED-003:19774", "GH-ALM"},
     .check = SyntaxErrorKind::comparison_as_value,
 };
 

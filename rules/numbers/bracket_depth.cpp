@@ -46,8 +46,9 @@ N50 M30
 END
 )nc"}},
     .alarms = {{"FANUC 16i/18i/21i", "118", "PARENTHESIS NESTING ERROR"},
-               {"FANUC 30i/0i-D", "118", "TOO MANY BRACKET NESTING"}},
-    .sources = {"MAN-16C287", "NCT-188", "SEED-003:18887"},
+               {"FANUC 30i/0i-D", "118", "TOO MANY BRACKET NESTING"},
+               {"NCT", "3064", "BAD MACRO STATEMENT"}},
+    .sources = {"MAN-16C287", "NCT-188", "SEED-003:18887", "GH-ALM"},
     .check = SyntaxErrorKind::bracket_depth,
 };
 

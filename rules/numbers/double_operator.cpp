@@ -26,8 +26,8 @@ O9716(SUM)
 #103=-#100
 M30
 )nc"}},
-    .alarms = {{"FANUC 16i/18i/21i", "114", "FORMAT ERROR IN MACRO", false},
-               {"FANUC 30i/0i-D", "1125", "ILLEGAL EXPRESSION FORMAT", false}},
+    .alarms = {{"FANUC 16i/18i/21i", "114", "FORMAT ERROR IN MACRO"},
+               {"FANUC 30i/0i-D", "1125", "ILLEGAL EXPRESSION FORMAT"}},
     .sources = {"GH-ALM", "T: no manual at hand shows it"},
     .check = SyntaxErrorKind::sign_after_sign,
 };

@@ -38,8 +38,9 @@ O9706(ANGLE)
 G0 X#101
 M30
 )nc"}},
-    .alarms = {{"FANUC 16i/18i/21i", "114", "FORMAT ERROR IN MACRO"}},
-    .sources = {"SEED-001:263", "NCT-188", "SEED-002:354"},
+    .alarms = {{"FANUC 16i/18i/21i", "114", "FORMAT ERROR IN MACRO"},
+               {"FANUC 30i/0i-D", "1125", "ILLEGAL EXPRESSION FORMAT"}},
+    .sources = {"SEED-001:263", "NCT-188", "SEED-002:354", "GH-ALM"},
     .check = SyntaxErrorKind::function_without_brackets,
 };
 

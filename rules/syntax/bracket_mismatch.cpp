@@ -39,8 +39,8 @@ N30 M30
 END
 )nc"}},
     .alarms = {{"FANUC 16i/18i/21i", "114", "FORMAT ERROR IN MACRO"},
-               {"FANUC 30i/0i-D", "1131", "MISSING OPEN BRACKET"},
-               {"FANUC 30i/0i-D", "1132", "MISSING CLOSE BRACKET"},
+               {"FANUC 30i/0i-D", "1131", "MISSING OPEN BRACKET", true, "opening-bracket"},
+               {"FANUC 30i/0i-D", "1132", "MISSING CLOSE BRACKET", true, "closing-bracket"},
                {"NCT", "3064", "BAD MACRO STATEMENT"}},
     .sources = {"GH-ALM", "NCT-188"},
     .check = SyntaxErrorKind::bracket_mismatch,

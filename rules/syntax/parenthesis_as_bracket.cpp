@@ -27,9 +27,11 @@ O9116(ANGLE)
 #100=SIN[30]
 M30
 )nc"}},
-    .alarms = {{"FANUC 16i/18i/21i", "114", "FORMAT ERROR IN MACRO"},
-               {"FANUC 16i/18i/21i", "005", "NO DATA AFTER ADDRESS"}},
-    .sources = {"SEED-001:284", "MAN-16C287", "SINHA-EXP"},
+    .alarms = {{"FANUC 16i/18i/21i", "114", "FORMAT ERROR IN MACRO", true, "expression"},
+               {"FANUC 16i/18i/21i", "005", "NO DATA AFTER ADDRESS"},
+               {"FANUC 30i/0i-D", "1125", "ILLEGAL EXPRESSION FORMAT", true, "expression"},
+               {"FANUC 30i/0i-D", "005", "NO DATA AFTER ADDRESS"}},
+    .sources = {"SEED-001:284", "MAN-16C287", "SINHA-EXP", "GH-ALM"},
     .check = SyntaxErrorKind::parenthesis_as_bracket,
 };
 

@@ -27,8 +27,9 @@ IF[#100EQ2]GOTO5
 #100=2
 N5 M30
 )nc"}},
-    .alarms = {{"FANUC 16i/18i/21i", "114", "FORMAT ERROR IN MACRO"}},
-    .sources = {"IMD-MAXZ"},
+    .alarms = {{"FANUC 16i/18i/21i", "114", "FORMAT ERROR IN MACRO"},
+               {"FANUC 30i/0i-D", "1125", "ILLEGAL EXPRESSION FORMAT"}},
+    .sources = {"IMD-MAXZ", "GH-ALM"},
     .check = SyntaxErrorKind::symbolic_comparison,
 };
 

@@ -59,9 +59,12 @@ N14 ENDIF
 N15 M30
 END
 )nc"}},
-    .alarms = {{"FANUC 16i/18i/21i", "114", "FORMAT ERROR IN MACRO"},
-               {"FANUC 16i/18i/21i", "199", "MACRO WORD UNDEFINED"}},
-    .sources = {"IMD-114", "ISORP"},
+    .alarms = {{"FANUC 16i/18i/21i", "114", "FORMAT ERROR IN MACRO", true, "operation"},
+               {"FANUC 16i/18i/21i", "199", "MACRO WORD UNDEFINED", true, "keyword"},
+               {"FANUC 30i/0i-D", "199", "MACRO WORD UNDEFINED", true, "keyword"},
+               {"FANUC 30i/0i-D", "1125", "ILLEGAL EXPRESSION FORMAT", true, "operation"},
+               {"FANUC 30i/0i-D", "1137", "IF STATEMENT FORMAT ERROR", true, "if-form"}},
+    .sources = {"IMD-114", "ISORP", "GH-ALM"},
     .check = &check,
 };
 

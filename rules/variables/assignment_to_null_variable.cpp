@@ -24,8 +24,9 @@ O9201(CLEAR)
 #100=#0
 M30
 )nc"}},
-    .alarms = {{"FANUC 16i/18i/21i", "116", "WRITE PROTECTED VARIABLE"}},
-    .sources = {"SEED-001:160", "SEED-001:198"},
+    .alarms = {{"FANUC 16i/18i/21i", "116", "WRITE PROTECTED VARIABLE"},
+               {"FANUC 30i/0i-D", "116", "WRITE PROTECTED VARIABLE"}},
+    .sources = {"SEED-001:160", "SEED-001:198", "GH-ALM"},
     .check = SyntaxErrorKind::assignment_to_null,
 };
 

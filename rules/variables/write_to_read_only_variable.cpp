@@ -15,20 +15,34 @@ extern const Rule write_to_read_only_variable{
     .precision = Precision::high,
     .messages = {{"cure", "Variable that can only be read: '{0}' holds {1}.",
                   "Store the value in a variable of your own, or program the function that sets it."}},
-    .bad = {{"dinplus", R"nc(
+    .bad = {{"fanuc", R"nc(
+O9203(PROBE)
+G91 G28 Z0
+#5063=#5063-0.5
+M30
+)nc"},
+            {"dinplus", R"nc(
 MACHINING
 N10 #i21=0
 N99 M30
 END
 )nc"}},
-    .good = {{"dinplus", R"nc(
+    .good = {{"fanuc", R"nc(
+O9203(PROBE)
+G91 G28 Z0
+#100=#5063-0.5
+M30
+)nc"},
+             {"dinplus", R"nc(
 MACHINING
 N10 #l1=#i21
 N11 G4 F#l1
 N99 M30
 END
 )nc"}},
-    .sources = {"SEED-003:19105-19387"},
+    .alarms = {{"FANUC 16i/18i/21i", "116", "WRITE PROTECTED VARIABLE"},
+               {"FANUC 30i/0i-D", "116", "WRITE PROTECTED VARIABLE"}},
+    .sources = {"SEED-003:19105-19387", "SEED-001:1340-1378", "IMD-UI", "GH-ALM"},
     .check = SyntaxErrorKind::read_only_variable,
 };
 

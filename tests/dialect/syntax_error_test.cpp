@@ -30,6 +30,8 @@ std::set<SyntaxErrorKind> causes_of_rule(std::string_view rule) {
         {"MAC118", SyntaxErrorKind::unknown_keyword},
         {"MAC118", SyntaxErrorKind::missing_construct},
         {"MAC119", SyntaxErrorKind::symbolic_comparison},
+        {"MAC126", SyntaxErrorKind::unreadable},
+        {"MAC127", SyntaxErrorKind::unreadable},
         {"MAC206", SyntaxErrorKind::double_sharp},
         {"MAC305", SyntaxErrorKind::letter_in_jump},
         {"MAC307", SyntaxErrorKind::words_after_jump},

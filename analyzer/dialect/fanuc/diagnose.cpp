@@ -3,6 +3,7 @@
 #include "analyzer/dialect/fanuc/diagnose.hpp"
 
 #include "analyzer/dialect/ascii.hpp"
+#include "analyzer/dialect/fanuc/find_faults.hpp"
 #include "analyzer/dialect/fanuc/keywords.hpp"
 #include "analyzer/dialect/fanuc/kinds.hpp"
 #include "analyzer/dialect/fanuc/letter_o.hpp"
@@ -11,6 +12,7 @@
 #include "analyzer/dialect/fanuc/tables.hpp"
 #include "analyzer/dialect/numbers.hpp"
 #include "analyzer/dialect/wide_signs.hpp"
+#include "analyzer/program/faults.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -49,6 +51,22 @@ class ErrorExplainer {
     [[nodiscard]] std::optional<SyntaxError> parenthesis_as_bracket() const;
     [[nodiscard]] std::optional<SyntaxError> bracket_mismatch() const;
     [[nodiscard]] std::optional<SyntaxError> letter_o() const { return find_letter_o(text_, tokens_); }
+    [[nodiscard]] std::optional<SyntaxError> output() const { return find_output_fault(text_, tokens_); }
+    [[nodiscard]] std::optional<SyntaxError> misplaced_number() const {
+        return find_misplaced_program_number(text_, tokens_);
+    }
+    [[nodiscard]] std::optional<SyntaxError> block_without_number() const {
+        return find_missing_number(text_, tokens_);
+    }
+    [[nodiscard]] std::optional<SyntaxError> missing_equals() const {
+        return find_missing_equals(text_, tokens_);
+    }
+    [[nodiscard]] std::optional<SyntaxError> missing_operator() const {
+        return find_missing_operator(text_, code());
+    }
+    [[nodiscard]] std::optional<SyntaxError> foreign_character() const {
+        return find_foreign_character(text_, code());
+    }
     [[nodiscard]] std::optional<SyntaxError> misspelt_jump() const;
     [[nodiscard]] std::optional<SyntaxError> unknown_keyword() const;
     [[nodiscard]] std::optional<SyntaxError> symbolic_comparison() const;
@@ -92,10 +110,16 @@ class ErrorExplainer {
                (next != nullptr && next->kind == TokenKind::letters);
     }
     [[nodiscard]] SyntaxError make(SyntaxErrorKind kind, Span span, std::string_view subject,
-                                   std::string cure) const {
-        return {kind, span, shown(subject), std::move(cure)};
+                                   std::string cure, std::string_view fault = {}) const {
+        SyntaxError error{kind, span, shown(subject), std::move(cure)};
+        error.fault = fault;
+        return error;
     }
 
+    /// Where a value of a calculation is wrong, that is what the control stops at.
+    [[nodiscard]] std::string_view fault_of_calculation() const {
+        return begins_statement(text_, tokens_) ? faults::expression : std::string_view();
+    }
     /// Whether a person wrote it for persons: it has a word that no control could mean.
     [[nodiscard]] bool is_prose() const;
     [[nodiscard]] std::string in_square_brackets(Offset open) const;
@@ -214,7 +238,7 @@ std::optional<SyntaxError> ErrorExplainer::parenthesis_as_bracket() const {
         return make(SyntaxErrorKind::parenthesis_as_bracket, comment.span,
                     word.empty() ? subject
                                  : subject.substr(subject.size() - std::min(word.size(), subject.size())),
-                    cure);
+                    cure, certain || operand ? faults::expression : std::string_view());
     }
     return std::nullopt;
 }
@@ -225,8 +249,8 @@ std::optional<SyntaxError> ErrorExplainer::bracket_mismatch() const {
         if (tokens_[i].kind == TokenKind::open) open.push_back(i);
         if (tokens_[i].kind != TokenKind::close) continue;
         if (open.empty())
-            return make(SyntaxErrorKind::bracket_mismatch, tokens_[i].span, "]",
-                        "a '[' is missing before it");
+            return make(SyntaxErrorKind::bracket_mismatch, tokens_[i].span, "]", "a '[' is missing before it",
+                        faults::opening_bracket);
         open.pop_back();
     }
     if (open.empty()) return std::nullopt;
@@ -236,9 +260,10 @@ std::optional<SyntaxError> ErrorExplainer::bracket_mismatch() const {
         const std::string word = capitals(tokens_[i]);
         if (word.starts_with("GOTO") || word.starts_with("THEN") || word.starts_with("DO"))
             return make(SyntaxErrorKind::bracket_mismatch, tokens_[open.back()].span, "[",
-                        "a ']' is missing before '" + shown(text(tokens_[i])) + "'");
+                        "a ']' is missing before '" + shown(text(tokens_[i])) + "'", faults::closing_bracket);
     }
-    return make(SyntaxErrorKind::bracket_mismatch, tokens_[open.back()].span, "[", "its ']' is missing");
+    return make(SyntaxErrorKind::bracket_mismatch, tokens_[open.back()].span, "[", "its ']' is missing",
+                faults::closing_bracket);
 }
 
 bool ErrorExplainer::is_known(const Token& token, const Token* next, int depth) const {
@@ -279,6 +304,8 @@ std::optional<SyntaxError> ErrorExplainer::unknown_keyword() const {
         SyntaxError error = unknown_word(text_, token.span);
         // A function has an argument: `T3 TAP M10` is no TAN.
         if (is_function(error.cure) && !gives_value(next)) error.cure.clear();
+        // Among words the letters are addresses without a number.
+        if (!begins_statement(text_, tokens_)) error.fault = {};
         return error;
     }
     return std::nullopt;
@@ -321,20 +348,23 @@ std::optional<SyntaxError> ErrorExplainer::missing_value() const {
                             text(token).substr(0, 1), "");
             const std::string word = last_keyword(token);
             std::string expected;
+            std::string_view fault = faults::statement;
             const bool number_word = next != nullptr && (capitals(*next) == "N" || capitals(*next) == "O");
             if (word == "GOTO" && !gives_value(next) && !number_word)
                 expected = "a sequence number after 'GOTO'";
             if ((word == "DO" || word == "END") && !gives_value(next))
                 expected = "a loop number 1 to 3 after '" + word + "'";
-            if ((word == "IF" || word == "WHILE") && !gives_value(next))
+            if ((word == "IF" || word == "WHILE") && !gives_value(next)) {
                 expected = "a condition in [ ] after '" + word + "'";
+                fault = word == "IF" ? faults::if_form : faults::while_form;
+            }
             if (!expected.empty())
-                return make(SyntaxErrorKind::unreadable, token.span, text(token), std::move(expected));
+                return make(SyntaxErrorKind::unreadable, token.span, text(token), std::move(expected), fault);
         }
         if (!wants_value(token) || gives_value(next)) continue;
         if (next != nullptr && next->kind == TokenKind::other) continue;
         return make(SyntaxErrorKind::unreadable, token.span, text(token),
-                    "a value after '" + shown(text(token)) + "'");
+                    "a value after '" + shown(text(token)) + "'", fault_of_calculation());
     }
     return std::nullopt;
 }
@@ -371,7 +401,7 @@ std::optional<SyntaxError> ErrorExplainer::decimal_comma() const {
         const Span span{begin, decimals.span.end};
         SyntaxError error =
             make(SyntaxErrorKind::unreadable, span, text_.substr(begin, span.length()),
-                 std::string(text(whole)) + "." + std::string(text(decimals)) + " with a decimal point");
+                 std::string(text(whole)) + "." + std::string(text(decimals)), faults::decimal_comma);
         error.remedy = {"Write a decimal point", false, {{comma.span, "."}}};
         return error;
     }
@@ -386,7 +416,7 @@ std::optional<SyntaxError> ErrorExplainer::sharp_without_number() const {
         if (next != nullptr && (next->kind != TokenKind::letters || !is_function(capitals(*next)))) continue;
         const Span span = next == nullptr ? tokens_[i].span : join(tokens_[i].span, next->span);
         return make(SyntaxErrorKind::unreadable, span, text_.substr(span.begin, span.length()),
-                    "the number of the variable after '#'");
+                    "the number of the variable after '#'", fault_of_calculation());
     }
     return std::nullopt;
 }
@@ -549,9 +579,12 @@ void sort_unique(std::vector<std::int64_t>& numbers) {
 SyntaxError unknown_word(std::string_view text, Span word) {
     const std::string_view written = text.substr(word.begin, word.length());
     Misspelling misspelling = explain(in_capitals(written));
-    if (misspelling.advice.empty())
-        return {SyntaxErrorKind::unknown_keyword, word, shown(written), std::move(misspelling.meant)};
-    return {SyntaxErrorKind::missing_construct, word, shown(written), std::string(misspelling.advice)};
+    const bool construct = !misspelling.advice.empty();
+    SyntaxError error{construct ? SyntaxErrorKind::missing_construct : SyntaxErrorKind::unknown_keyword, word,
+                      shown(written),
+                      construct ? std::string(misspelling.advice) : std::move(misspelling.meant)};
+    error.fault = is_operator_word(error.cure) ? faults::operation : faults::keyword;
+    return error;
 }
 
 std::optional<SyntaxError> find_parenthesis_as_bracket(std::string_view text, Span block) {
@@ -566,16 +599,20 @@ std::optional<SyntaxError> find_cause(std::string_view text, Span block) {
     const ErrorExplainer explainer(text, block);
     for (const auto cause :
          {&ErrorExplainer::bare_remark, &ErrorExplainer::remark, &ErrorExplainer::wide_sign,
-          &ErrorExplainer::parenthesis_as_bracket, &ErrorExplainer::bracket_mismatch,
-          &ErrorExplainer::misspelt_jump, &ErrorExplainer::letter_o, &ErrorExplainer::decimal_comma,
-          &ErrorExplainer::sharp_without_number, &ErrorExplainer::unknown_keyword,
+          &ErrorExplainer::parenthesis_as_bracket, &ErrorExplainer::bracket_mismatch, &ErrorExplainer::output,
+          &ErrorExplainer::misspelt_jump, &ErrorExplainer::misplaced_number, &ErrorExplainer::letter_o,
+          &ErrorExplainer::decimal_comma, &ErrorExplainer::sharp_without_number,
+          &ErrorExplainer::missing_equals, &ErrorExplainer::unknown_keyword,
           &ErrorExplainer::symbolic_comparison, &ErrorExplainer::missing_value,
-          &ErrorExplainer::missing_address})
+          &ErrorExplainer::missing_operator, &ErrorExplainer::missing_address,
+          &ErrorExplainer::block_without_number})
         if (std::optional<SyntaxError> found = (explainer.*cause)()) return found;
     return std::nullopt;
 }
 
 SyntaxError find_parse_error(std::string_view text, Span block, const syntax::Tree& tree) {
+    if (std::optional<SyntaxError> foreign = ErrorExplainer(text, block).foreign_character())
+        return *std::move(foreign);
     Span span = block;
     std::string expected;
     if (const syntax::Node* error = first_error(tree)) {

@@ -64,7 +64,6 @@ class LetterOFinder {
     /// A token that begins with O: among figures, or where a value has to be.
     [[nodiscard]] bool is_figure(std::size_t i) const {
         if (i == 0) return false;
-        constexpr std::size_t digits_of_program = 4;
         const bool heads_program =
             touches_next(i) && is(i, 1, Kind::number) && written(i + 1).size() >= digits_of_program;
         if (touches_next(i - 1) && (is(i, -1, Kind::number) || is(i, -1, Kind::variable)))

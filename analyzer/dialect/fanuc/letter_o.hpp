@@ -10,6 +10,9 @@
 
 namespace maclint::fanuc {
 
+/// `O1002`, with so many figures or more, is the number of a program and no number with a letter O in it.
+constexpr std::size_t digits_of_program = 4;
+
 /// `R1O.`, `AO`, `#1=O.5`, `IF[#1EQO]`: the first letter O of the tokens that can only be a figure 0.
 [[nodiscard]] std::optional<SyntaxError> find_letter_o(std::string_view text, std::span<const Token> tokens);
 

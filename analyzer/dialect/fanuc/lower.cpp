@@ -2,10 +2,12 @@
 #include "analyzer/dialect/ascii.hpp"
 #include "analyzer/dialect/characters.hpp"
 #include "analyzer/dialect/fanuc/diagnose.hpp"
+#include "analyzer/dialect/fanuc/find_faults.hpp"
 #include "analyzer/dialect/fanuc/keywords.hpp"
 #include "analyzer/dialect/fanuc/lowering.hpp"
 #include "analyzer/dialect/fanuc/tables.hpp"
 #include "analyzer/dialect/numbers.hpp"
+#include "analyzer/program/faults.hpp"
 
 #include <algorithm>
 
@@ -55,9 +57,10 @@ void BlockLowering::lower(const syntax::Tree& tree, Span block, ProgramBuilder& 
         if (std::optional<SyntaxError> cause = find_cause(program_->text, block))
             syntax_errors_.push_back(std::move(*cause));
         else
-            report(SyntaxErrorKind::unreadable, span(*content.front()), "an address before the number");
+            report_unreadable(span(*content.front()), "an address before the number", faults::no_address);
     }
     check_numbers(content);
+    check_block_numbers(content);
     check_row(content);
     lower_items(content);
     end_block(lowered);
@@ -68,7 +71,17 @@ void BlockLowering::lower(const syntax::Tree& tree, Span block, ProgramBuilder& 
 void BlockLowering::check_numbers(std::span<const syntax::Node* const> items) {
     for (std::size_t i = 1; i < items.size(); ++i)
         if (kind_of(*items[i]) == Kind::bare_value && span(*items[i]).begin == span(*items[i - 1]).end)
-            report(SyntaxErrorKind::unreadable, span(*items[i]), "an address before the number");
+            report_unreadable(span(*items[i]), "an address before the number",
+                              text(*items[i]).front() == '.' ? faults::two_points : faults::no_address);
+}
+
+/// `M9 N80`: no jump finds the number there. Behind a macro call it is an argument.
+void BlockLowering::check_block_numbers(std::span<const syntax::Node* const> items) {
+    for (const Node* item : items) {
+        if (kind_of(*item) == Kind::literal_word && calls_macro(text(*item))) return;
+        if (kind_of(*item) != Kind::sequence_number) continue;
+        refuse_form(span(*item), "the number at the head of a block", faults::block_number_misplaced);
+    }
 }
 
 /// The 2 of `/ 2`.
@@ -135,6 +148,7 @@ void BlockLowering::lower_statement(const Node& node) {
     case Kind::do_statement: lower_loop_mark(node, RegionMark::Part::open); break;
     case Kind::end_statement: lower_loop_mark(node, RegionMark::Part::close); break;
     case Kind::output_statement: lower_output(node); break;
+    case Kind::naming_statement: check_names(node); break;
     case Kind::foreign_keyword: divide_block_if(node); break;
     default: break; // numbers without address, names of variables, words of other dialects: nothing happens
     }
@@ -183,6 +197,8 @@ void BlockLowering::store_numbered(std::int64_t number, Span target, ExpressionI
         report(SyntaxErrorKind::assignment_to_null, target, "");
         return;
     }
+    if (is_protected(*program_->control, number))
+        report(SyntaxErrorKind::read_only_variable, target, "the " + std::string(range->what));
     const auto n = static_cast<std::int32_t>(number);
     switch (range->on_write) {
     case OnWrite::alarm: effect({Stop{Stop::Kind::alarm, value}, span}); return;
@@ -201,13 +217,18 @@ void BlockLowering::lower_goto(const Node& node) {
     const Node* target = child(node, Field::target);
     if (target == nullptr) return;
     if (kind_of(*target) == Kind::label) check_label(*target);
-    effect({Jump{goes_on_ == &node ? unreadable(span(*target)) : lower_expression(*target)}, span(node)});
+    const auto number_of = [&] {
+        if (goes_on_ == &node) return unreadable(span(*target));
+        const bool written = kind_of(*target) == Kind::number;
+        return written ? number(text(*target), span(*target)) : lower_expression(*target);
+    };
+    effect({Jump{number_of()}, span(node)});
 }
 
 void BlockLowering::lower_if(const Node& node) {
     const Node* condition = child(node, Field::condition);
     if (condition == nullptr) return;
-    const ExpressionId test = lower_condition(*condition);
+    const ExpressionId test = lower_condition(*condition, faults::if_form);
     Nodes consequences;
     for_each_child(node, [&](const Node& part) {
         if (field_of(part) == Field::consequence) consequences.push_back(&part);
@@ -232,6 +253,7 @@ void BlockLowering::open_block_if(const Node& node, ExpressionId test) {
         refuse(SyntaxErrorKind::missing_construct, whole, "");
         if (syntax_errors_.size() == before) return;
         syntax_errors_.back().subject = "THEN";
+        syntax_errors_.back().fault = faults::if_form;
         syntax_errors_.back().cure = in_place_of_block_if;
         if (!control.assumed) return;
         refusal = before;
@@ -282,19 +304,28 @@ void BlockLowering::lower_block_condition(const Node& node, std::span<const Node
     else if (std::ranges::find(items_, Kind::foreign_keyword, [](const Node* item) {
                  return kind_of(*item);
              }) == items_.end()) // the condition of an ELSEIF
-        report(SyntaxErrorKind::unreadable, span(node), "an address or IF before it");
-    const ExpressionId test = lower_condition(*condition);
+        report_stray_condition(node);
+    const ExpressionId test = lower_condition(*condition, faults::statement);
     const std::size_t first = builder_->effect_count();
     lower_items(rest);
     guard(before_return ? test : unreadable(span(node)), first,
           join(span(node), rest.empty() ? span(node) : span(*rest.back())));
 }
 
+/// `#1=[#2][#3]`: behind a calculation an operator is missing.
+void BlockLowering::report_stray_condition(const Node& condition) {
+    const std::vector<Token> tokens = tokens_of(program_->text, block_);
+    if (std::optional<SyntaxError> missing = find_missing_operator(program_->text, tokens))
+        syntax_errors_.push_back(std::move(*missing));
+    else
+        report(SyntaxErrorKind::unreadable, span(condition), "an address or IF before it");
+}
+
 void BlockLowering::lower_while(const Node& node) {
     const Node* condition = child(node, Field::condition);
     const Node* loop = child(node, Field::loop);
     RegionMark mark{RegionKind::while_loop, RegionMark::Part::open, std::nullopt, std::nullopt};
-    if (condition != nullptr) mark.condition = lower_condition(*condition);
+    if (condition != nullptr) mark.condition = lower_condition(*condition, faults::while_form);
     if (loop != nullptr)
         mark.number = loop_number(*loop);
     else
@@ -313,15 +344,6 @@ std::optional<std::int64_t> BlockLowering::loop_number(const Node& mark) const {
     const Node* number = child(mark, Field::number);
     if (number == nullptr || kind_of(*number) != Kind::number) return std::nullopt;
     return read_integer(text(*number));
-}
-
-void BlockLowering::lower_output(const Node& node) {
-    std::vector<ExpressionId> out;
-    for_each_child(node, [&](const Node& part) {
-        if (kind_of(part) != Kind::output_variable) return;
-        if (const Node* variable = child(part, Field::variable)) out.push_back(lower_expression(*variable));
-    });
-    builder_->add_exchange(out, {}, span(node));
 }
 
 const syntax::Node* BlockLowering::child(const Node& node, Field field) const {

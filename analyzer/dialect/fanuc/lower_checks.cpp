@@ -6,10 +6,28 @@
 #include "analyzer/dialect/fanuc/lexer.hpp"
 #include "analyzer/dialect/fanuc/lowering.hpp"
 #include "analyzer/dialect/fanuc/tables.hpp"
+#include "analyzer/program/faults.hpp"
 
 #include <algorithm>
 
 namespace maclint::fanuc {
+namespace {
+
+/// Where `O1002` begins in `X10.O1002`; 0: there is none.
+std::size_t begin_of_program_number(std::string_view word) {
+    const std::size_t o = word.find_first_of("Oo");
+    if (o < 2 || o == std::string_view::npos || (!is_digit(word[o - 1]) && word[o - 1] != '.')) return 0;
+    const std::string_view number = word.substr(o + 1);
+    return number.size() >= digits_of_program && std::ranges::all_of(number, is_digit) ? o : 0;
+}
+
+} // namespace
+
+void BlockLowering::report_unreadable(Span span, std::string expected, std::string_view fault) {
+    report(SyntaxErrorKind::unreadable, span, std::move(expected));
+    syntax_errors_.back().fault = fault;
+}
+
 /// Nearly all blocks are sound, and one look at their nodes shows it.
 void BlockLowering::check_tokens() {
     const bool has_points = program_->slice(block_).find('.') != std::string_view::npos;
@@ -24,18 +42,24 @@ void BlockLowering::check_tokens() {
             if (empty_word == nullptr) empty_word = &node;
             break;
         case Kind::letter_o_word: check_letter_o(node); break;
+        case Kind::literal_word:
+        case Kind::address:
+            if (text(node).front() == '&')
+                refuse_form({span(node).begin, span(node).begin + 1}, "", faults::character);
+            break;
         case Kind::variable:
             if (has_points) check_number_of(node);
             break;
-        case Kind::malformed_word: // alarms 006 and 007
-            report(SyntaxErrorKind::unreadable, span(node),
-                   "a number with at most one sign and one decimal point");
+        case Kind::malformed_word:
+            report_unreadable(span(node), "a number with at most one sign and one decimal point",
+                              std::ranges::count(text(node), '.') > 1 ? faults::two_points
+                                                                      : faults::two_signs);
             break;
         case Kind::computed_sequence_number: // [1.3]
-            report(SyntaxErrorKind::unreadable, span(node), "the digits of a sequence number");
+            report_unreadable(span(node), "the digits of a sequence number", faults::no_sequence_number);
             break;
         case Kind::computed_program_number: // [1.2]
-            report(SyntaxErrorKind::unreadable, span(node), "the digits of a program number");
+            report_unreadable(span(node), "the digits of a program number", faults::no_program_number);
             break;
         case Kind::double_sharp: check_double_sharp(node); break;
         case Kind::bracket:
@@ -75,8 +99,8 @@ void BlockLowering::check_words() {
             report(SyntaxErrorKind::symbolic_comparison, span(node),
                    std::string(comparison_word(text(node))));
         else if (kind == Kind::symbolic_operator) // [3: comparisons give no value]
-            report(SyntaxErrorKind::unreadable, span(node),
-                   "a calculation, because only IF and WHILE compare");
+            report_unreadable(span(node), "a calculation, because only IF and WHILE compare",
+                              faults::expression);
         else if (kind == Kind::foreign_keyword && program_->control->has_block_if &&
                  is_word_of_block_if(node))
             check_word_of_block_if(node);
@@ -110,6 +134,11 @@ void BlockLowering::check_empty_word(const Node& word) {
 /// `GO1`, `XO`: the letter O where a figure 0 belongs.
 void BlockLowering::check_letter_o(const Node& word) {
     const Span all = with_rest_of_number(word);
+    if (const std::size_t o = begin_of_program_number(text(word))) {
+        const Span number{span(word).begin + static_cast<Offset>(o), span(word).end};
+        report_unreadable(number, "a program number at the head of a block", faults::number_misplaced);
+        return;
+    }
     const std::optional<Span> jump = find_jump_with_zero(program_->text, all);
     if (jump && holds_if()) {
         const std::string_view number = program_->slice(*jump).substr(std::string_view("G0TO").size());

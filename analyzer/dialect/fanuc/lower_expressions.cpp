@@ -5,6 +5,7 @@
 #include "analyzer/dialect/fanuc/lowering.hpp"
 #include "analyzer/dialect/fanuc/tables.hpp"
 #include "analyzer/dialect/numbers.hpp"
+#include "analyzer/program/faults.hpp"
 
 #include <algorithm>
 #include <array>
@@ -69,7 +70,7 @@ ExpressionId BlockLowering::lower_expression(const Node& node) {
     ++depth_;
     const auto lowered = [&]() -> ExpressionId {
         switch (kind_of(node)) {
-        case Kind::number: return number(text(node), span(node));
+        case Kind::number: check_digits(node); return number(text(node), span(node));
         case Kind::label: {
             const std::optional<std::int64_t> number = read_integer(text(node));
             return number ? literal(static_cast<double>(*number), span(node)) : unreadable(span(node));
@@ -108,8 +109,8 @@ ExpressionId BlockLowering::lower_expression(const Node& node) {
 }
 
 /// Of IF and WHILE.
-ExpressionId BlockLowering::lower_condition(const Node& node) {
-    check_condition(node);
+ExpressionId BlockLowering::lower_condition(const Node& node, std::string_view fault) {
+    check_condition(node, fault);
     in_condition_ = true;
     const ExpressionId id = lower_expression(node);
     in_condition_ = false;
@@ -138,6 +139,7 @@ Variable BlockLowering::named_variable(const Node& node) {
 }
 
 ExpressionId BlockLowering::lower_named(const Node& node) {
+    check_name(node);
     const Node* index = child(node, Field::index);
     if (index == nullptr || kind_of(*index) == Kind::number)
         return add({Load{named_variable(node)}, span(node)});
@@ -218,6 +220,8 @@ ExpressionId BlockLowering::lower_function(const Node& node) {
     }
     if (const Node* divisor = child(node, Field::divisor)) operands.push_back(lower_expression(*divisor));
     Operation operation = find(functions(), text(*name));
+    if (operation == Operation::power && operands.size() != 2)
+        refuse_form(span(node), "two values in the [ ] of POW, with a comma between them", faults::argument);
     if (operation == Operation::arc_tangent && operands.size() == 2)
         operation = Operation::arc_tangent_of_two;
     const std::size_t wanted =

@@ -25,18 +25,19 @@ bool is_statement(Kind kind) {
     }
 }
 
-/// G65, G66, G66.1: a macro call is a statement, too [6].
+Span at(Offset place) { return {place, place}; }
+
+} // namespace
+
+/// A macro call is a statement, too [6].
 bool calls_macro(std::string_view word) {
     return !word.empty() && (word.front() == 'G' || word.front() == 'g') &&
            (word.ends_with("65") || word.ends_with("66") || word.ends_with("66.1"));
 }
 
-Span at(Offset place) { return {place, place}; }
-
-} // namespace
-
 /// The control's table of forms has the last word.
-void BlockLowering::refuse(SyntaxErrorKind form, Span span, std::string cure, Remedy remedy) {
+void BlockLowering::refuse(SyntaxErrorKind form, Span span, std::string cure, Remedy remedy,
+                           std::string_view fault) {
     const ControlModel& control = *program_->control;
     const Reading reading = reading_of(control, form);
     if (reading == Reading::takes || reading == Reading::unknown) return;
@@ -48,6 +49,7 @@ void BlockLowering::refuse(SyntaxErrorKind form, Span span, std::string cure, Re
     else if (!error.elsewhere.empty())
         error.answer = Answer::stops_if_assumed;
     error.remedy = std::move(remedy);
+    error.fault = fault;
     syntax_errors_.push_back(std::move(error));
 }
 
@@ -108,14 +110,14 @@ void BlockLowering::check_consequences(const Node& if_statement, std::span<const
 }
 
 /// The condition of an IF or a WHILE.
-void BlockLowering::check_condition(const Node& condition) {
+void BlockLowering::check_condition(const Node& condition, std::string_view fault) {
     const Kind kind = kind_of(condition);
     if (kind != Kind::unbracketed_condition && kind != Kind::compound_condition) return;
     const Span all = span(condition);
     const bool open = kind == Kind::compound_condition;
     refuse(open ? SyntaxErrorKind::logic_outside_brackets : SyntaxErrorKind::condition_without_brackets, all,
            "[" + std::string(text(condition)) + "]",
-           {"Put the whole condition in [ ]", true, {{at(all.begin), "["}, {at(all.end), "]"}}});
+           {"Put the whole condition in [ ]", true, {{at(all.begin), "["}, {at(all.end), "]"}}}, fault);
 }
 
 /// `GOTO N5`

@@ -17,6 +17,9 @@ namespace maclint::fanuc {
 /// The number of `#101`; nothing for one with decimals, which names no variable that a program can set.
 [[nodiscard]] std::optional<std::int64_t> number_of_variable(std::string_view written);
 
+/// G65, G66, G66.1
+[[nodiscard]] bool calls_macro(std::string_view word);
+
 class BlockLowering : private TreeLowering {
   public:
     BlockLowering(const CodeTable& codes, std::vector<SyntaxError>& syntax_errors)
@@ -44,12 +47,12 @@ class BlockLowering : private TreeLowering {
     void lower_while(const Node& node);
     void lower_loop_mark(const Node& node, RegionMark::Part part);
     [[nodiscard]] std::optional<std::int64_t> loop_number(const Node& mark) const;
-    void lower_output(const Node& node);
     void open_block_if(const Node& node, ExpressionId test);
     void divide_block_if(const Node& keyword);
     [[nodiscard]] bool is_of_block_if(const Node& keyword) const;
     [[nodiscard]] bool is_word_of_block_if(const Node& keyword) const;
     void check_word_of_block_if(const Node& keyword);
+    void report_stray_condition(const Node& condition);
     void lower_block_condition(const Node& node, std::span<const Node* const> rest);
     void store(const Node& target, ExpressionId value, Span span);
     void store_numbered(std::int64_t number, Span target, ExpressionId value, Span span);
@@ -79,7 +82,8 @@ class BlockLowering : private TreeLowering {
 
     // ---- expressions (lower_expressions.cpp)
     ExpressionId lower_expression(const Node& node);
-    ExpressionId lower_condition(const Node& node);
+    /// `fault`: that of the statement, where its condition is wrong.
+    ExpressionId lower_condition(const Node& node, std::string_view fault);
     /// Of a calculation or a comparison.
     struct Sides {
         const Node* left;
@@ -96,11 +100,20 @@ class BlockLowering : private TreeLowering {
     [[nodiscard]] bool is_logical(ExpressionId id) const;
     [[nodiscard]] Variable named_variable(const Node& node);
 
+    // ---- output and names (lower_outputs.cpp)
+    void lower_output(const Node& node);
+    void check_format(const Node& printed, bool decimal);
+    void check_names(const Node& naming);
+    void check_name(const Node& variable);
+    void check_digits(const Node& number);
+    void refuse_form(Span span, std::string expected, std::string_view fault);
+
     // ---- the tree
     [[nodiscard]] const Node* child(const Node& node, Field field) const;
 
     // ---- what is wrong with single nodes (lower_checks.cpp)
     void check_tokens();
+    void report_unreadable(Span span, std::string expected, std::string_view fault);
     void check_words();
     void check_number_of(const Node& variable);
     void check_depth(const Node& node, int depth);
@@ -113,11 +126,13 @@ class BlockLowering : private TreeLowering {
     void check_double_sharp(const Node& variable);
 
     // ---- ways of writing that not every control takes (lower_forms.cpp)
-    void refuse(SyntaxErrorKind form, Span span, std::string cure, Remedy remedy = {});
+    void refuse(SyntaxErrorKind form, Span span, std::string cure, Remedy remedy = {},
+                std::string_view fault = {});
     void check_numbers(std::span<const syntax::Node* const> items);
+    void check_block_numbers(std::span<const syntax::Node* const> items);
     void check_row(std::span<const Node* const> items);
     void check_consequences(const Node& if_statement, std::span<const Node* const> consequences);
-    void check_condition(const Node& condition);
+    void check_condition(const Node& condition, std::string_view fault);
     void check_label(const Node& label);
     void check_argument(const Node& function, const Node& argument);
     void check_sign(const Node& operand);

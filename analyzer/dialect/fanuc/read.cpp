@@ -7,11 +7,13 @@
 #include "analyzer/dialect/fanuc/lowering.hpp"
 #include "analyzer/dialect/fanuc/machine_type.hpp"
 #include "analyzer/dialect/fanuc/plausible.hpp"
+#include "analyzer/dialect/fanuc/real_time.hpp"
 #include "analyzer/dialect/fanuc/remarks.hpp"
 #include "analyzer/dialect/fanuc/split.hpp"
 #include "analyzer/dialect/fanuc/tables.hpp"
 #include "analyzer/dialect/numbers.hpp"
 #include "analyzer/program/builder.hpp"
+#include "analyzer/program/faults.hpp"
 #include "analyzer/program/plain_run.hpp"
 #include "analyzer/source/content.hpp"
 
@@ -82,6 +84,8 @@ class Family {
             if (text_[at] != '%') break;
             const AfterMark after = after_mark(text_, at);
             tape_open_ = !after.opens;
+            if (const std::optional<Span> lost = code_behind_tape(text_, at, after))
+                report(*lost, faults::behind_tape);
             at = after.begin;
         }
         return at;
@@ -92,6 +96,11 @@ class Family {
     /// The number of a program is a block of it, too. A memory dump says in lines of their own in which
     /// folder of the control the next programs are.
     bool take_head(const RawBlock& raw) {
+        if (is_real_time(text_, raw.span, control_)) {
+            if (auto fault = find_real_time_fault(text_, raw.span, control_))
+                file_.syntax_errors.push_back(std::move(*fault));
+            return true;
+        }
         if (const std::optional<std::string_view> folder = folder_mark(text_, raw.span)) {
             close_program();
             folder_ = *folder;
@@ -147,9 +156,19 @@ class Family {
         return has_code ? std::optional(at) : std::nullopt;
     }
 
-    void close() { close_program(); }
+    void close() {
+        close_program();
+        for (const Span comment : comments_with_percent(text_)) report(comment, faults::percent_in_comment);
+    }
 
   private:
+    void report(Span span, std::string_view fault) {
+        SyntaxError error{SyntaxErrorKind::unreadable, span,
+                          std::string(text_.substr(span.begin, span.length())), ""};
+        error.fault = fault;
+        file_.syntax_errors.push_back(std::move(error));
+    }
+
     template<class Visit>
     Offset pass_plain(Offset at, const Visit& visit) {
         syntax::PlainBlock block;

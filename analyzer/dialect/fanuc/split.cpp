@@ -226,6 +226,35 @@ AfterMark after_mark(std::string_view text, Offset mark) {
     return {size_of(here), next.has_value()};
 }
 
+std::optional<Span> code_behind_tape(std::string_view text, Offset mark, AfterMark after) {
+    if (after.opens) return std::nullopt;
+    if (after.begin < text.size()) {
+        const Offset first = skip_to_code(text, after.begin);
+        if (first == text.size()) return std::nullopt;
+        return Span{first, line_end(text, first)};
+    }
+    for (Offset at = skip_to_code(text, mark + 1); at < text.size();
+         at = skip_to_code(text, line_end(text, at)))
+        if (begins_block(text, at)) return Span{at, line_end(text, at)};
+    return std::nullopt;
+}
+
+std::vector<Span> comments_with_percent(std::string_view text) {
+    std::vector<Span> comments;
+    for (std::size_t percent = text.find('%'); percent != std::string_view::npos;) {
+        auto at = static_cast<Offset>(percent);
+        while (at > 0 && !is_line_break(text[at - 1])) --at;
+        while (at < text.size() && !is_line_break(text[at])) {
+            const Offset end = text[at] == '(' ? after_comment(text, at) : at + 1;
+            const std::string_view part = text.substr(at, end - at);
+            if (part.size() > 1 && part.find('%') != std::string_view::npos) comments.push_back({at, end});
+            at = end;
+        }
+        percent = text.find('%', at);
+    }
+    return comments;
+}
+
 std::optional<std::string_view> folder_mark(std::string_view text, Span block) {
     std::string_view line = text.substr(block.begin, block.length());
     if (!line.starts_with("&F=") && !line.starts_with("&f=")) return std::nullopt;

@@ -41,6 +41,12 @@ struct AfterMark {
 /// text.
 [[nodiscard]] AfterMark after_mark(std::string_view text, Offset mark);
 
+/// The first code behind a mark that closes the tape, which no mark opens again: the control has ended
+/// reading. `after` is what after_mark() tells.
+[[nodiscard]] std::optional<Span> code_behind_tape(std::string_view text, Offset mark, AfterMark after);
+/// Comments that hold a `%`, which ends the tape there, too.
+[[nodiscard]] std::vector<Span> comments_with_percent(std::string_view text);
+
 /// The folder that a line `&F=/MTB/` of a memory dump names, without its outer slashes; empty for `&F=`.
 [[nodiscard]] std::optional<std::string_view> folder_mark(std::string_view text, Span block);
 

@@ -1,5 +1,6 @@
 //! Ways of writing at which the controls of the family differ.
 #include "analyzer/dialect/fanuc/tables.hpp"
+#include "analyzer/program/faults.hpp"
 
 #include <algorithm>
 #include <cassert>
@@ -19,6 +20,12 @@ constexpr std::pair<std::string_view, std::string_view> alike[] = {{"haas-1999",
 
 struct Form {
     SyntaxErrorKind form;
+    std::array<Reading, model_count> readings;
+    [[maybe_unused]] std::string_view source;
+};
+
+struct FaultForm {
+    std::string_view fault;
     std::array<Reading, model_count> readings;
     [[maybe_unused]] std::string_view source;
 };
@@ -50,7 +57,28 @@ constexpr Form rows[] = {
     {SyntaxErrorKind::missing_construct,           {stops, stops, stops, stops, stops, stops, stops, takes}, "ISORP; block IF of Mitsubishi: CNCWIKI-LOGIC, second hand; of the newest 30i and 0i by an option, off"},
     {SyntaxErrorKind::condition_before_return,     {stops, stops, stops, stops, stops, stops, takes, quiet}, "HAAS-118: a condition in a block of its own words"},
 };
+
+/// Forms of which the parser makes nothing special, by what the control stops at.
+constexpr FaultForm fault_rows[] = {
+    // fault                        fanuc  16i    0i-C   0i-D   30i    NCT    Haas   Mits.  source
+    {faults::character,            {quiet, stops, stops, stops, stops, quiet, quiet, quiet}, "CSDN-PS 009; GH-ALM 009; T: &F2 is a word of some lathes"},
+    {faults::block_number_misplaced,     {doubt, doubt, doubt, stops, stops, stops, quiet, quiet}, "NCT-173, NCT-188: N stands first; T: alarm 1013"},
+    {faults::digits,               {quiet, stops, stops, quiet, quiet, quiet, quiet, quiet}, "CSDN-PS 003: eight figures"},
+    {faults::argument,             {stops, stops, stops, stops, stops, quiet, quiet, quiet}, "GH-ALM 1120"},
+    {faults::output_form,          {stops, stops, stops, stops, stops, quiet, quiet, quiet}, "GH-ALM 1143"},
+    {faults::long_name,            {quiet, quiet, quiet, stops, stops, quiet, quiet, quiet}, "GH-ALM 1142"},
+    {faults::long_variable_name,   {quiet, quiet, quiet, stops, stops, quiet, quiet, quiet}, "GH-ALM 1097, 1142"},
+};
 // clang-format on
+
+/// The column of the control; nothing where the table has none.
+std::optional<std::size_t> column_of(const ControlModel& control) {
+    const auto* kin =
+        std::ranges::find(alike, control.model, &std::pair<std::string_view, std::string_view>::first);
+    const auto* model = std::ranges::find(models, kin == std::end(alike) ? control.model : kin->second);
+    if (model == models.end()) return std::nullopt;
+    return static_cast<std::size_t>(model - models.begin());
+}
 
 const Form& row_of(SyntaxErrorKind form) {
     const auto* row = std::ranges::find(rows, form, &Form::form);
@@ -61,11 +89,15 @@ const Form& row_of(SyntaxErrorKind form) {
 } // namespace
 
 Reading reading_of(const ControlModel& control, SyntaxErrorKind form) {
-    const auto* kin =
-        std::ranges::find(alike, control.model, &std::pair<std::string_view, std::string_view>::first);
-    const auto* model = std::ranges::find(models, kin == std::end(alike) ? control.model : kin->second);
-    return model == models.end() ? Reading::unknown
-                                 : row_of(form).readings[static_cast<std::size_t>(model - models.begin())];
+    const std::optional<std::size_t> column = column_of(control);
+    return column ? row_of(form).readings[*column] : Reading::unknown;
+}
+
+Reading reading_of(const ControlModel& control, std::string_view fault) {
+    const std::optional<std::size_t> column = column_of(control);
+    const auto* row = std::ranges::find(fault_rows, fault, &FaultForm::fault);
+    assert(row != std::end(fault_rows));
+    return column ? row->readings[*column] : Reading::unknown;
 }
 
 std::string controls_that_take(SyntaxErrorKind form) {
