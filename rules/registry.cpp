@@ -76,10 +76,19 @@
     RULE(profile_block_missing)                 /* MAC338 */ \
     RULE(call_without_program_number)           /* MAC401 */ \
     RULE(program_not_found)                     /* MAC402 */ \
+    RULE(words_before_call)                     /* MAC403 */ \
+    RULE(forbidden_argument)                    /* MAC404 */ \
+    RULE(argument_order_ijk)                    /* MAC405 */ \
+    RULE(argument_missing_decimal)              /* MAC408 */ \
     RULE(macro_calls_nested_too_deep)           /* MAC410 */ \
     RULE(subprogram_calls_nested_too_deep)      /* MAC411 */ \
     RULE(recursive_call)                        /* MAC412 */ \
     RULE(g66_not_cancelled)                     /* MAC413 */ \
+    RULE(g67_without_g66)                       /* MAC414 */ \
+    RULE(m98_p_format)                          /* MAC417 */ \
+    RULE(m98_with_arguments)                    /* MAC418 */ \
+    RULE(two_calls_one_block)                   /* MAC423 */ \
+    RULE(words_beside_modal_return)             /* MAC425 */ \
     RULE(illegal_program_number)                /* MAC452 */ \
     RULE(duplicate_program_number)              /* MAC453 */ \
     RULE(missing_program_end)                   /* MAC455 */ \

@@ -4,6 +4,7 @@
 #include "analyzer/dialect/characters.hpp"
 #include "analyzer/program/block_view.hpp"
 #include "analyzer/program/tables.hpp"
+#include "analyzer/queries/call_words.hpp"
 #include "analyzer/queries/callers.hpp"
 
 #include <algorithm>
@@ -62,9 +63,7 @@ std::optional<EffectId> first_store(const Program& program, Variable variable) {
 /// The arguments that it may read as they were passed.
 std::vector<Variable> arguments_read(const ProgramAnalysis& called) {
     std::vector<Variable> live = called.liveness().live_before(0);
-    const auto& formals = called.control().formals;
-    std::erase_if(live,
-                  [&](Variable variable) { return std::ranges::find(formals, variable) == formals.end(); });
+    std::erase_if(live, [&](Variable variable) { return !can_be_passed(called.control(), variable); });
     return live;
 }
 

@@ -27,6 +27,7 @@ extern const Rule call_ends_in_alarm{
         "behind a test, of a program that does nothing but raise alarms, is meant to stop.",
     .severity = Severity::error,
     .precision = Precision::high,
+    .yields_to = "MAC418",
     .facts = dataflow::facts<dataflow::CallBegun>(),
     .data_flow = true,
     .messages =

@@ -1,6 +1,7 @@
 //! MAC559: an address twice in a block.
 #include "analyzer/program/tables.hpp"
 #include "analyzer/queries/block_words.hpp"
+#include "analyzer/queries/call_words.hpp"
 #include "analyzer/workspace/program_analysis.hpp"
 #include "rules/path.hpp"
 #include "rules/rule.hpp"
@@ -108,6 +109,7 @@ void check(const queries::WordsOfBlock& block, Reporter& reporter) {
                may_be_argument(block, *address.last);
     });
     if (repeated.empty() || queries::has_alternatives(block)) return;
+    if (queries::call_twice(block.analysis.control(), block.words)) return; // MAC423's
     std::string addresses;
     for (const Occurrence& address : repeated)
         addresses += (addresses.empty() ? "" : ", ") + std::string(address.address);

@@ -39,6 +39,23 @@ TEST(ArgumentUnused, IsOneThatNoBlockReadsOrThatIsOverwrittenFirst) {
     EXPECT_THAT(judged("MAC211", call("X1. F2.", "IF[#9EQ#0]THEN #9=80.\nG1 X#24 F#9\n")), IsEmpty());
 }
 
+TEST(ArgumentUnused, CountsReadsOfVariablesThatNoLetterButASetReaches) {
+    const std::string sets = "I1. J2. K3. I4. J5. K6. I7. J8.";
+    const std::string first = "#100=#4+#5+#6+#7+#8+#9\n";
+    EXPECT_THAT(judged("MAC211", call(sets, first + "#106=#10\nG0 X#11\n")), IsEmpty());
+    EXPECT_THAT(judged("MAC211", call(sets, first + "G1 Z[#10+1.] Y-#11\n")), IsEmpty());
+    EXPECT_THAT(messages_raised("MAC211", call(sets, first + "G0 X#11\n")),
+                ElementsAre(HasSubstr("O9001 does not read #10, which 'I7.' passes")));
+    // All ten sets: K10 is #33.
+    std::string all;
+    for (int set = 0; set < 10; ++set) all += "I1.J2.K3.";
+    std::string reads;
+    for (int number = 4; number <= 33; ++number) reads += "X#" + std::to_string(number) + "\n";
+    EXPECT_THAT(judged("MAC211", call(all, reads)), IsEmpty());
+    // A set of its own that the program reads is no sign of one that is still to be written.
+    EXPECT_THAT(lines_raised("MAC211", call("A1. I1. I2. I3. D4.", "G0 X#10\n")), ElementsAre(2));
+}
+
 TEST(ArgumentUnused, IsUnknownWhereTheProgramMayReadAllOfThem) {
     EXPECT_THAT(judged("MAC211", call("X1. Z2.", "#100=#[#24]\n")), IsEmpty());
     EXPECT_THAT(judged("MAC211", call("X1. Z2.", "G0 X#24\nM98 P9002\n")), IsEmpty());

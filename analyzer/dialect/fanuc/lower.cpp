@@ -110,6 +110,14 @@ std::span<const syntax::Node* const> BlockLowering::take_head(Block& block,
     return items.subspan(taken);
 }
 
+/// Behind the code of a macro call all that stands in the block is an argument, N too [5.1].
+bool BlockLowering::goes_on_with(std::span<const Node* const> words, const Node& next) const {
+    if (is_word(kind_of(next))) return true;
+    return kind_of(next) == Kind::sequence_number && std::ranges::any_of(words, [&](const Node* word) {
+               return kind_of(*word) == Kind::literal_word && calls_macro(text(*word));
+           });
+}
+
 /// Words in a row act together; statements act one after another; what stands after a `/` may be skipped.
 void BlockLowering::lower_items(std::span<const Node* const> items) {
     for (std::size_t i = 0; i < items.size();) {
@@ -122,7 +130,7 @@ void BlockLowering::lower_items(std::span<const Node* const> items) {
             return;
         }
         std::size_t after = i;
-        while (after < items.size() && is_word(kind_of(*items[after]))) ++after;
+        while (after < items.size() && goes_on_with(items.subspan(i, after - i), *items[after])) ++after;
         const std::size_t next = std::max(after, i + 1);
         const bool goes_on = next < items.size() && kind_of(*items[next]) == Kind::bare_value;
         goes_on_ = goes_on ? items[next - 1] : nullptr;

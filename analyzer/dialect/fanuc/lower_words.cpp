@@ -65,7 +65,7 @@ BlockLowering::NcWord BlockLowering::record_word(const Node& node) {
     if (written.size() > 1 && written[0] == '&') letter = 1;
     word.letter = written.empty() ? '@' : to_capital(written[letter]);
     bool incremental = false;
-    if (kind_of(*inner) == Kind::literal_word) {
+    if (kind_of(*inner) == Kind::literal_word || kind_of(*inner) == Kind::sequence_number) {
         std::size_t digits = letter + 1;
         while (digits < written.size() && (written[digits] == ' ' || written[digits] == '\t')) ++digits;
         const Span whole = span(*inner);
@@ -96,15 +96,16 @@ void BlockLowering::lower_words(std::span<const Node* const> nodes) {
     const std::span<const NcWord> words(words_);
     const Span all = join(span(*nodes.front()), span(*nodes.back()));
 
-    // A macro call takes every word after it as its own.
-    const auto call = std::ranges::find_if(words, [](const NcWord& word) {
+    // A macro call takes every word after it as its own, up to a second one, which no block may hold.
+    const auto calls_macro = [](const NcWord& word) {
         return word.letter == 'G' && !word.comma && word.literal && is_macro_call(*word.literal);
-    });
-    const auto before = static_cast<std::size_t>(call - words.begin());
-    if (before != 0) lower_usual_words(words.first(before), all);
-    if (before != words.size()) {
-        const Span rest = join(span(*words[before].node), all);
-        lower_macro_call(words.subspan(before), {span(*words[before].node).begin, rest.end});
+    };
+    auto call = std::ranges::find_if(words, calls_macro);
+    if (call != words.begin()) lower_usual_words({words.begin(), call}, all);
+    while (call != words.end()) {
+        const auto next = std::find_if(call + 1, words.end(), calls_macro);
+        lower_macro_call({call, next}, join(span(*call->node), span(*(next - 1)->node)));
+        call = next;
     }
 }
 

@@ -6,12 +6,16 @@
 #include "analyzer/dialect/tree_lowering.hpp"
 #include "analyzer/program/model.hpp"
 
+#include <cstddef>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
 namespace maclint::fanuc {
+
+/// G65, G66, G66.1 as a word: a macro call.
+[[nodiscard]] bool calls_macro(std::string_view word);
 
 /// Lowers blocks of programs whose control has the codes.
 /// The number of `#101`; nothing for one with decimals, which names no variable that a program can set.
@@ -39,6 +43,7 @@ class BlockLowering : private TreeLowering {
     [[nodiscard]] std::span<const Node* const> take_head(Block& block,
                                                          std::span<const Node* const> items) const;
     [[nodiscard]] bool is_skip_level(const Node& node) const;
+    [[nodiscard]] bool goes_on_with(std::span<const Node* const> words, const Node& next) const;
     void lower_items(std::span<const Node* const> items);
     void lower_statement(const Node& node);
     void lower_assignment(const Node& node);
