@@ -49,6 +49,8 @@
     RULE(unchecked_offset_number)               /* MAC225 */ \
     RULE(vacancy_test_never_true)               /* MAC228 */ \
     RULE(bare_number_for_variable)              /* MAC229 */ \
+    RULE(read_of_write_only_variable)           /* MAC231 */ \
+    RULE(suppression_value)                     /* MAC232 */ \
     RULE(jump_target_missing)                   /* MAC301 */ \
     RULE(goto_suspicious_target)                /* MAC302 */ \
     RULE(jump_into_loop)                        /* MAC303 */ \
@@ -131,6 +133,7 @@
     RULE(codes_not_together)                    /* MAC582 */ \
     RULE(unknown_code)                          /* MAC583 */ \
     RULE(too_many_words)                        /* MAC584 */ \
+    RULE(alarm_number_out_of_range)             /* MAC601 */ \
     RULE(missing_argument_validation)           /* MAC604 */ \
     RULE(position_read_ahead)                   /* MAC605 */ \
     RULE(bracket_depth)                         /* MAC701 */ \

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cstdint>
 #include <set>
 #include <stdexcept>
 #include <string>
@@ -81,6 +82,48 @@ TEST(Controls, VariableRangesAreSortedAndDoNotOverlap) {
                 last = range.last;
             }
         }
+    }
+}
+
+TEST(Controls, HaveVariablesOfTheirOwn) {
+    struct Row {
+        const char* control;
+        std::int32_t number;
+        Meaning meaning;
+        SpaceId space;
+        OnWrite on_write;
+    };
+    using enum OnWrite;
+    constexpr auto retained = fanuc::spaces::retained, common = fanuc::spaces::common,
+                   machine = fanuc::spaces::machine;
+    constexpr auto rows = std::to_array<Row>({
+        {"haas", 10000, Meaning::variable, retained, store},
+        {"haas", 10149, Meaning::variable, retained, store},
+        {"haas", 10150, Meaning::machine, machine, store},
+        {"haas", 10550, Meaning::machine, machine, store},
+        {"haas", 10999, Meaning::variable, retained, store},
+        {"haas", 11000, Meaning::machine, machine, forbidden},
+        {"haas", 11255, Meaning::machine, machine, forbidden},
+        {"haas", 12000, Meaning::machine, machine, store},
+        {"haas", 14001, Meaning::machine, machine, store},
+        {"haas", 100, Meaning::variable, retained, store},
+        {"haas-1999", 100, Meaning::variable, retained, store},
+        {"haas-1999", 10000, Meaning::machine, machine, store},
+        {"fanuc", 100, Meaning::variable, common, store},
+        {"fanuc-30i", 10000, Meaning::machine, machine, store},
+        {"fanuc-30i", 3101, Meaning::machine, machine, forbidden},
+        {"fanuc-16i", 3101, Meaning::machine, machine, store},
+        {"fanuc-16i", 4112, Meaning::absent, machine, forbidden},
+        {"fanuc-16i", 4120, Meaning::machine, machine, forbidden},
+        {"fanuc-16i", 4130, Meaning::machine, machine, forbidden},
+        {"nct", 4112, Meaning::machine, machine, forbidden},
+    });
+    for (const Row& row : rows) {
+        const VariableRange* range = fanuc::fanuc_control(row.control).families.front().find(row.number);
+        ASSERT_NE(range, nullptr) << row.control << " #" << row.number;
+        EXPECT_EQ(range->meaning, row.meaning) << row.control << " #" << row.number;
+        EXPECT_EQ(range->space, row.space) << row.control << " #" << row.number;
+        EXPECT_EQ(range->on_write, row.on_write) << row.control << " #" << row.number;
     }
 }
 

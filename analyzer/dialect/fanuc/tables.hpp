@@ -34,9 +34,10 @@ constexpr CallKindId g65 = 0, g66 = 1, g66_1 = 2, m98 = 3, m198 = 4;
 [[nodiscard]] std::vector<Idle> idle_values(std::span<const ModalGroup> groups);
 [[nodiscard]] std::vector<VariableSpace> variable_spaces();
 /// What `#n` is; `groups` gives the rows that #4001 and the like read.
-/// `group_twelve` is the row that #4012 reads, where that is known.
+/// `group_twelve` is the row that #4012 reads, where that is known; `model` names the control, which may have
+/// numbers of its own.
 [[nodiscard]] VariableFamily numbered_variables(std::span<const ModalGroup> groups,
-                                                std::optional<GroupId> group_twelve);
+                                                std::optional<GroupId> group_twelve, std::string_view model);
 
 // Argument specification I, fanuc-custom-macro.md 5.2: the local variable of each letter from A to Z, 0 for
 // none.

@@ -106,7 +106,7 @@ ControlModel make(const ControlRow& row, char system) {
     if (row.assumed) control.returns_within = names_of([](const ControlRow& r) { return r.return_jumps; });
     std::optional<GroupId> group_twelve;
     if (row.offset_is_group_12) group_twelve = control.group_with(ModalRole::work_offset);
-    control.families = {numbered_variables(control.groups, group_twelve)};
+    control.families = {numbered_variables(control.groups, group_twelve, row.model)};
     control.calls = call_kinds();
     for (std::size_t i = 0; i < local_of_letter.size(); ++i) {
         if (local_of_letter[i] == 0) continue;

@@ -36,6 +36,85 @@ void append_modal(std::vector<VariableRange>& ranges, std::int32_t first, std::s
     }
 }
 
+/// What a control has in the place of the rows for all.
+// clang-format off
+constexpr VariableRange of_older_fanuc[] = {
+    //  first    last  meaning   space              group on write   by itself what                      source
+    {    3100,   3102, machine,  spaces::machine,   0,    store,     true,  "machine value",             "unknown"},
+    {    4023,   4030, absent,   spaces::machine,   0,    forbidden, false, "no variable",               "T: SEED-001:1340-1357 has 22 groups, the 30i has 30"},
+    {    4103,   4106, absent,   spaces::machine,   0,    forbidden, false, "no variable",               "T: the list of SEED-001:1358-1367 is whole"},
+    {    4110,   4110, absent,   spaces::machine,   0,    forbidden, false, "no variable",               "T: the list of SEED-001:1358-1367 is whole"},
+    {    4112,   4112, absent,   spaces::machine,   0,    forbidden, false, "no variable",               "T: the list of SEED-001:1358-1367 is whole"},
+    {    4116,   4118, absent,   spaces::machine,   0,    forbidden, false, "no variable",               "T: the list of SEED-001:1358-1367 is whole"},
+    {    4121,   4129, absent,   spaces::machine,   0,    forbidden, false, "no variable",               "T: the list of SEED-001:1358-1367 is whole"},
+    {    4131,   4200, absent,   spaces::machine,   0,    forbidden, false, "no variable",               "T: the list of SEED-001:1358-1367 is whole"},
+};
+constexpr VariableRange of_newer_fanuc[] = {
+    {    4103,   4106, absent,   spaces::machine,   0,    forbidden, false, "no variable",               "T: the list of SEED-001:1358-1367 is whole, with E (#4108)"},
+    {    4110,   4110, absent,   spaces::machine,   0,    forbidden, false, "no variable",               "T: the list of SEED-001:1358-1367 is whole"},
+    {    4112,   4112, absent,   spaces::machine,   0,    forbidden, false, "no variable",               "T: the list of SEED-001:1358-1367 is whole"},
+    {    4116,   4118, absent,   spaces::machine,   0,    forbidden, false, "no variable",               "T: the list of SEED-001:1358-1367 is whole"},
+    {    4121,   4129, absent,   spaces::machine,   0,    forbidden, false, "no variable",               "T: the list of SEED-001:1358-1367 is whole"},
+    {    4131,   4200, absent,   spaces::machine,   0,    forbidden, false, "no variable",               "T: the list of SEED-001:1358-1367 is whole"},
+};
+/// ZAPP-HAAS prints a Haas table that has new numbers beside the old ones. That #10000 is the same variable as
+/// #100 is read from their standing in one row; each is a variable of its own here.
+constexpr VariableRange of_haas[] = {
+    {     100,    149, variable, spaces::retained,  0,    store,     false, "retained common variable",  "ZAPP-HAAS: kept at power-off"},
+    {     150,    199, variable, spaces::retained,  0,    store,     false, "retained common variable",  "ZAPP-HAAS: probe values, where there is one"},
+    {     700,    749, machine,  spaces::machine,   0,    store,     true,  "value of the control's own","ZAPP-HAAS: hidden, for internal use"},
+    {    1064,   1068, machine,  spaces::machine,   0,    store,     true,  "greatest load of an axis",  "ZAPP-HAAS"},
+    {    1080,   1098, machine,  spaces::machine,   0,    forbidden, true,  "analog input",              "ZAPP-HAAS"},
+    {    1264,   1268, machine,  spaces::machine,   0,    store,     true,  "greatest load of an axis",  "ZAPP-HAAS"},
+    {    1601,   2000, machine,  spaces::machine,   0,    store,     true,  "tool data",                 "ZAPP-HAAS"},
+    {    3020,   3020, machine,  spaces::machine,   0,    forbidden, true,  "power-on timer",            "ZAPP-HAAS"},
+    {    3100,   3102, machine,  spaces::machine,   0,    store,     true,  "machine value",             "unknown"},
+    {   10000,  10149, variable, spaces::retained,  0,    store,     false, "retained common variable",  "ZAPP-HAAS: beside #100-#149, taken for the same by inference"},
+    {   10150,  10199, machine,  spaces::machine,   0,    store,     true,  "probe value",               "ZAPP-HAAS: written by the machine, where there is a probe", false, false, true},
+    {   10200,  10549, variable, spaces::retained,  0,    store,     false, "retained common variable",  "ZAPP-HAAS"},
+    {   10550,  10599, machine,  spaces::machine,   0,    store,     true,  "probe calibration",         "ZAPP-HAAS: written by the machine, where there is a probe", false, false, true},
+    {   10600,  10999, variable, spaces::retained,  0,    store,     false, "retained common variable",  "ZAPP-HAAS"},
+    {   11000,  11063, machine,  spaces::machine,   0,    forbidden, true,  "input",                     "ZAPP-HAAS: 64 discrete inputs, for reading only", true},
+    {   11064,  11255, machine,  spaces::machine,   0,    forbidden, true,  "input",                     "T", true},
+    {   12000,  12255, machine,  spaces::machine,   0,    store,     false, "output",                    "T", true},
+    {   14001,  19999, machine,  spaces::machine,   0,    store,     false, "additional work offset",    "T: G154"},
+};
+/// Before the new numbers.
+constexpr VariableRange of_older_haas[] = {
+    {     100,    199, variable, spaces::retained,  0,    store,     false, "retained common variable",  "ZAPP-HAAS: kept at power-off"},
+    {    3100,   3102, machine,  spaces::machine,   0,    store,     true,  "machine value",             "unknown"},
+};
+constexpr VariableRange of_others[] = {
+    {    3100,   3102, machine,  spaces::machine,   0,    store,     true,  "machine value",             "unknown"},
+};
+// clang-format on
+
+std::span<const VariableRange> own_ranges(std::string_view model) {
+    if (model == "fanuc-16i" || model == "fanuc-0i-c") return of_older_fanuc;
+    if (model == "fanuc-0i-d" || model == "fanuc-30i") return of_newer_fanuc;
+    if (model == "haas") return of_haas;
+    if (model == "haas-1999") return of_older_haas;
+    return model == "fanuc" ? std::span<const VariableRange>() : of_others;
+}
+
+/// Puts the row in the place of what is there.
+void put(std::vector<VariableRange>& ranges, const VariableRange& own) {
+    std::vector<VariableRange> result;
+    for (const VariableRange& range : ranges) {
+        if (range.last < own.first || range.first > own.last) {
+            result.push_back(range);
+            continue;
+        }
+        VariableRange left = range, right = range;
+        left.last = own.first - 1;
+        right.first = own.last + 1;
+        if (left.first <= left.last) result.push_back(left);
+        if (range.first <= own.first) result.push_back(own);
+        if (right.first <= right.last) result.push_back(right);
+    }
+    ranges = std::move(result);
+}
+
 } // namespace
 
 std::vector<VariableSpace> variable_spaces() {
@@ -50,7 +129,8 @@ std::vector<VariableSpace> variable_spaces() {
     // clang-format on
 }
 
-VariableFamily numbered_variables(std::span<const ModalGroup> groups, std::optional<GroupId> group_twelve) {
+VariableFamily numbered_variables(std::span<const ModalGroup> groups, std::optional<GroupId> group_twelve,
+                                  std::string_view model) {
     constexpr SpaceId here = spaces::machine;
     // X, Y, Z of a mill, X, Z, Y of a lathe, with their incremental addresses.
     constexpr std::string_view axes = "XU YVZW ZWYV";
@@ -70,13 +150,14 @@ VariableFamily numbered_variables(std::span<const ModalGroup> groups, std::optio
     add({  100,    199,  variable,   spaces::common,   0,            store,     false, "common variable",                         "SEED-001:162"});
     add({  200,    499,  variable,   spaces::common,   0,            store,     false, "common variable (option)",                "T"});
     add({  500,    999,  variable,   spaces::retained, 0,            store,     false, "retained common variable",                "SEED-001:162"});
-    add({ 1000,   1031,  machine, here,             0,            forbidden, true,  "input from the PMC",                      "T", true});
+    add({ 1000,   1015,  machine, here,             0,            forbidden, true,  "input from the PMC",                      "IMD-IO", true});
+    add({ 1016,   1031,  machine, here,             0,            forbidden, true,  "input from the PMC",                      "T", true});
     add({ 1032,   1099,  machine, here,             0,            forbidden, true,  "input word from the PMC",                 "T"});
     add({ 1100,   1131,  machine, here,             0,            store,     false, "output to the PMC",                       "T; HAAS-LA", true});
     add({ 1132,   1199,  machine, here,             0,            store,     false, "output word to the PMC",                  "T"});
     add({ 1200,   1999,  machine, here,             0,            store,     true,  "machine value",                           "unknown", false, false, true});
     add({ 2000,   2999,  machine, here,             0,            store,     false, "tool or work offset",                     "SEED-001:1312-1333; T"});
-    add({ 3000,   3000,  machine, here,             0,            alarm,     false, "macro alarm",                             "CNCCI; ZAPP-ALM"});
+    add({ 3000,   3000,  machine, here,             0,            alarm,     false, "macro alarm",                             "CNCCI: 100 to 255; ZAPP-ALM: 1 to 9999", false, false, false, 9999});
     add({ 3001,   3002,  machine, here,             0,            store,     true,  "timer",                                   "ZAPP-ALM; TENC-SYS"});
     add({ 3003,   3003,  modal,   here,             single_block, set_modal, false, "single-block suppression",                "SEED-001:214-220"});
     add({ 3004,   3004,  modal,   here,             feed_hold,    set_modal, false, "feed-hold suppression",                   "SEED-001:226-234"});
@@ -85,7 +166,9 @@ VariableFamily numbered_variables(std::span<const ModalGroup> groups, std::optio
     add({ 3007,   3007,  machine, here,             0,            forbidden, false, "mirror image state",                      "T"});
     add({ 3008,   3010,  machine, here,             0,            forbidden, true,  "program restart",                         "T"});
     add({ 3011,   3012,  machine, here,             0,            forbidden, true,  "date and time",                           "TENC-SYS"});
-    add({ 3013,   3900,  machine, here,             0,            store,     true,  "machine value",                           "unknown; Haas: tool and spindle data"});
+    add({ 3013,   3099,  machine, here,             0,            store,     true,  "machine value",                           "unknown; Haas: tool and spindle data"});
+    add({ 3100,   3102,  machine, here,             0,            forbidden, false, "constant: nothing, pi, e",                "T: grinders divide by #3101"});
+    add({ 3103,   3900,  machine, here,             0,            store,     true,  "machine value",                           "unknown; Haas: tool and spindle data"});
     add({ 3901,   3902,  machine, here,             0,            store,     true,  "parts counter",                           "TENC-SYS"});
     add({ 3903,   3999,  machine, here,             0,            store,     true,  "machine value",                           "unknown", false, false, true});
     add({ 4000,   4000,  machine, here,             0,            forbidden, false, "main program number",                     "TENC-SYS"});
@@ -115,14 +198,16 @@ VariableFamily numbered_variables(std::span<const ModalGroup> groups, std::optio
     add({ 4509,   4509,  modal,   here,             feed,         forbidden, false, "feed F of the interrupted program",       "MITSU-389; T"});
     add({ 4510,   4518,  machine, here,             0,            forbidden, false, "modal value",                             "MITSU-389; T"});
     add({ 4519,   4519,  modal,   here,             speed,        forbidden, false, "speed S of the interrupted program",      "MITSU-389; T"});
-    add({ 4520,   4999,  machine, here,             0,            forbidden, false, "modal value",                             "T"});
+    add({ 4520,   4530,  machine, here,             0,            forbidden, false, "modal value",                             "T"});
+    add({ 4531,   4999,  absent,  here,             0,            forbidden, false, "no variable",                             "T: the lists of SEED-001:1337-1367 and MITSU-389 end before it"});
     add({ 5000,   5020,  machine, here,             0,            forbidden, true,  "block end position",                      "SEED-001:1373"});
     add({ 5021,   5040,  machine, here,             0,            forbidden, true,  "machine position",                        "SEED-001:1374; MAN-AINANO", false, false, false, {}, axes});
     add({ 5041,   5060,  machine, here,             0,            forbidden, true,  "work position",                           "SEED-001:1375; MAN-AINANO", false, false, false, {}, axes});
     add({ 5061,   5080,  machine, here,             0,            forbidden, true,  "skip position",                           "SEED-001:1376; NCT-183"});
     add({ 5081,   5100,  machine, here,             0,            forbidden, true,  "tool length offset in effect",            "SEED-001:1377; NCT-183"});
     add({ 5101,   5120,  machine, here,             0,            forbidden, true,  "servo deviation",                         "SEED-001:1378"});
-    add({ 5121,   5200,  machine, here,             0,            forbidden, true,  "machine value",                           "T"});
+    add({ 5121,   5140,  machine, here,             0,            forbidden, true,  "handle interruption",                     "T: grinders read it"});
+    add({ 5141,   5200,  machine, here,             0,            forbidden, true,  "machine value",                           "T"});
     add({ 5201,   5220,  machine, here,             0,            store,     false, "external work offset",                    "SEED-001:1383"});
     add({ 5221,   5400,  machine, here,             0,            store,     false, "work offset",                             "SEED-001:1384-1389"});
     add({ 5401,   6999,  machine, here,             0,            store,     true,  "machine value",                           "unknown", false, false, true});
@@ -134,6 +219,7 @@ VariableFamily numbered_variables(std::span<const ModalGroup> groups, std::optio
     add({98500, 899999,  machine, here,             0,            store,     true,  "machine value",                           "T: six-digit numbers of the 30i", false, false, true});
     add({900000, 999999, machine, here,             0,            store,     true,  "common variable of the machine builder",  "T: vacant until something sets them", false, false, true});
     // clang-format on
+    for (const VariableRange& range : own_ranges(model)) put(ranges, range);
     return {"#", std::move(ranges), index_custom};
 }
 
