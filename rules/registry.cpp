@@ -28,6 +28,7 @@
     RULE(symbolic_comparison)                   /* MAC119 */ \
     RULE(unreadable_block)                      /* MAC121 */ \
     RULE(unreached_text)                        /* MAC122 */ \
+    RULE(not_on_this_control)                   /* MAC124 */ \
     RULE(percent_in_comment)                    /* MAC125 */ \
     RULE(decimal_comma)                         /* MAC126 */ \
     RULE(format_of_output)                      /* MAC127 */ \

@@ -95,6 +95,7 @@ void report_syntax_error(const ProgramFile& file, SyntaxErrorKind kind, Reporter
     SyntaxCauses causes(file);
     for (const SyntaxError& error : file.syntax_errors) {
         if (error.kind != kind || !is_told(error, messages.faults)) continue;
+        if (messages.is_of_another != nullptr && messages.is_of_another(error)) continue;
         Finding& finding = reporter.report(
             {file, error.span}, error.span, message_for(error, reporter, messages),
             {to_utf8(error.subject, detect_encoding(error.subject)), error.cure, error.elsewhere});

@@ -19,6 +19,8 @@ struct SyntaxMessages {
     std::optional<Severity> severity = {};    ///< where the control stops; nothing: that of the rule
     /// Only errors with one of these faults; none: those which no rule of its own tells.
     std::vector<std::string_view> faults = {};
+    /// Whether another rule tells of the error; nullptr: none does.
+    bool (*is_of_another)(const SyntaxError&) = nullptr;
 };
 
 /// One finding for every syntax error of the kind; the arguments of its message are the offending text, the

@@ -1,4 +1,5 @@
 //! MAC118: a word that the control does not know.
+#include "analyzer/program/lacking.hpp"
 #include "analyzer/program/model.hpp"
 #include "rules/rule.hpp"
 #include "rules/syntax_errors.hpp"
@@ -72,9 +73,11 @@ namespace {
 
 void check(const ProgramFile& file, Reporter& reporter) {
     report_syntax_error(file, SyntaxErrorKind::unknown_keyword, reporter);
-    report_syntax_error(
-        file, SyntaxErrorKind::missing_construct, reporter,
-        {.with_cure = "construct", .without = "construct", .elsewhere = "construct elsewhere"});
+    report_syntax_error(file, SyntaxErrorKind::missing_construct, reporter,
+                        {.with_cure = "construct",
+                         .without = "construct",
+                         .elsewhere = "construct elsewhere",
+                         .is_of_another = [](const SyntaxError& error) { return lacking::is_one(error); }});
 }
 
 } // namespace

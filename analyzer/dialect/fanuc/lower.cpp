@@ -205,8 +205,6 @@ void BlockLowering::store_numbered(std::int64_t number, Span target, ExpressionI
         report(SyntaxErrorKind::assignment_to_null, target, "");
         return;
     }
-    if (is_protected(*program_->control, number))
-        report(SyntaxErrorKind::read_only_variable, target, "the " + std::string(range->what));
     const auto n = static_cast<std::int32_t>(number);
     switch (range->on_write) {
     case OnWrite::alarm: effect({Stop{Stop::Kind::alarm, value}, span}); return;

@@ -114,6 +114,8 @@ ExpressionId BlockLowering::lower_condition(const Node& node, std::string_view f
     in_condition_ = true;
     const ExpressionId id = lower_expression(node);
     in_condition_ = false;
+    if (!is_logical(id) && !std::holds_alternative<Unreadable>(expression(id).node))
+        check_lacking(Extra::bare_condition, span(node), text(node));
     return id;
 }
 
@@ -140,6 +142,7 @@ Variable BlockLowering::named_variable(const Node& node) {
 
 ExpressionId BlockLowering::lower_named(const Node& node) {
     check_name(node);
+    if (kind_of(node) == Kind::named_variable) check_lacking(Extra::named_variable, span(node), text(node));
     const Node* index = child(node, Field::index);
     if (index == nullptr || kind_of(*index) == Kind::number)
         return add({Load{named_variable(node)}, span(node)});
@@ -181,6 +184,7 @@ ExpressionId BlockLowering::lower_binary(const Node& node) {
     const std::array operands{lower_expression(*left), lower_expression(*right)};
     Operation operation = find(operators, text(*sign));
     if (operation == Operation::add || operation == Operation::subtract) check_sign(*right);
+    if (operation == Operation::modulo) check_lacking(Extra::remainder, span(*sign), "MOD");
     if (kind_of(node) == Kind::compound_condition || is_logical(operands[0]) || is_logical(operands[1]))
         operation = between_conditions(operation);
     return apply(operation, operands, span(node));
@@ -218,7 +222,9 @@ ExpressionId BlockLowering::lower_function(const Node& node) {
     } else {
         operands.push_back(lower_expression(*argument));
     }
-    if (const Node* divisor = child(node, Field::divisor)) operands.push_back(lower_expression(*divisor));
+    const Node* divisor = child(node, Field::divisor);
+    check_function(text(*name), operands.size(), divisor != nullptr, span(node));
+    if (divisor != nullptr) operands.push_back(lower_expression(*divisor));
     Operation operation = find(functions(), text(*name));
     if (operation == Operation::power && operands.size() != 2)
         refuse_form(span(node), "two values in the [ ] of POW, with a comma between them", faults::argument);

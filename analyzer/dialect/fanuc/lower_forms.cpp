@@ -1,11 +1,14 @@
 //! Ways of writing that not every control of the family takes: what stands beside what in a block, and what
 //! conditions and calculations leave out.
+#include "analyzer/dialect/ascii.hpp"
 #include "analyzer/dialect/fanuc/keywords.hpp"
 #include "analyzer/dialect/fanuc/lowering.hpp"
 #include "analyzer/dialect/fanuc/tables.hpp"
 
 #include <algorithm>
+#include <iterator>
 #include <string>
+#include <utility>
 
 namespace maclint::fanuc {
 namespace {
@@ -171,6 +174,42 @@ void BlockLowering::check_increment(Span address) {
     if (!control.assumed) return;
     syntax_errors_.back().answer = Answer::stops_if_assumed;
     syntax_errors_.back().elsewhere = controls_with_incremental_words();
+}
+
+/// What the control lacks by the table of that.
+void BlockLowering::check_lacking(Extra extra, Span span, std::string_view subject) {
+    const ControlModel& control = *program_->control;
+    const Lacking* lacking = lacking_on(control, extra);
+    if (lacking == nullptr) return;
+    SyntaxError error{SyntaxErrorKind::missing_construct, span, std::string(subject),
+                      std::string(lacking->cure)};
+    error.fault = lacking->fault;
+    error.elsewhere = control.assumed ? lacking->elsewhere : "";
+    if (!lacking->documented)
+        error.answer = Answer::unknown;
+    else if (!error.elsewhere.empty())
+        error.answer = Answer::stops_if_assumed;
+    syntax_errors_.push_back(std::move(error));
+}
+
+void BlockLowering::check_function(std::string_view name, std::size_t operands, bool has_divisor, Span span) {
+    struct Row {
+        std::string_view name;
+        Extra extra;
+    };
+    static constexpr Row rows[] = {{"POW", Extra::power},
+                                   {"PRM", Extra::parameter},
+                                   {"LN", Extra::logarithm},
+                                   {"EXP", Extra::logarithm},
+                                   {"EX", Extra::logarithm},
+                                   {"BIN", Extra::code_of_decimals},
+                                   {"BCD", Extra::code_of_decimals},
+                                   {"ADP", Extra::code_of_decimals}};
+    const std::string capitals = in_capitals(name);
+    const auto* row = std::ranges::find(rows, capitals, &Row::name);
+    if (row != std::end(rows)) check_lacking(row->extra, span, capitals);
+    if (has_divisor || !capitals.starts_with("AT")) return;
+    check_lacking(operands == 1 ? Extra::angle_of_one : Extra::angle_of_two, span, program_->slice(span));
 }
 
 } // namespace maclint::fanuc

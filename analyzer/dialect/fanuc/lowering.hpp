@@ -3,6 +3,7 @@
 
 #include "analyzer/dialect/fanuc/codes.hpp"
 #include "analyzer/dialect/fanuc/kinds.hpp"
+#include "analyzer/dialect/fanuc/tables_lacking.hpp"
 #include "analyzer/dialect/tree_lowering.hpp"
 #include "analyzer/program/model.hpp"
 
@@ -143,6 +144,8 @@ class BlockLowering : private TreeLowering {
     void check_sign(const Node& operand);
     void check_comparison(const Node& comparison);
     void check_increment(Span address);
+    void check_lacking(Extra extra, Span span, std::string_view subject);
+    void check_function(std::string_view name, std::size_t operands, bool has_divisor, Span span);
 
     const CodeTable& codes_;
     /// An IF that has opened blocks and waits for ENDIF.

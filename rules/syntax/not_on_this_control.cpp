@@ -1,0 +1,75 @@
+//! MAC124: what other controls of the family have, and this one lacks.
+#include "analyzer/program/lacking.hpp"
+#include "analyzer/program/model.hpp"
+#include "rules/rule.hpp"
+#include "rules/syntax_errors.hpp"
+
+#include <string>
+#include <string_view>
+
+namespace maclint::rules {
+
+namespace {
+void check(const ProgramFile& file, Reporter& reporter);
+}
+
+extern const Rule not_on_this_control{
+    .code = "MAC124",
+    .name = "not-on-this-control",
+    .summary = "A function, a form of it, or a variable with a name that the control does not have",
+    .why = "Newer series and other makers have functions that an older control stops at. A program that runs "
+           "on the "
+           "machine beside it stops here, when the control comes to the block.",
+    .severity = Severity::error,
+    .precision = Precision::high,
+    .messages = {{"function", "Function that the control lacks: it stops at '{0}'.", "{1}."},
+                 {"form", "Form that the control lacks: it stops at '{0}'.", "{1}."},
+                 {"condition", "Condition without a comparison: the control stops at '{0}'.", "{1}."},
+                 {"elsewhere", "Condition without a comparison: the assumed control stops at '{0}'.",
+                  "If the program runs on {2}, name that (--control), or compare, as in [#1 NE 0]."},
+                 {"name", "Variable with a name: the control has none, and stops at '{0}'.", "{1}."},
+                 {"unsure", "'{0}' is in no list of what this control has.", "{1}."}},
+    .bad = {{"fanuc", R"nc(
+O9124(ONCE)
+IF[#500]GOTO9
+#500=1
+N9 M99
+)nc"}},
+    .good = {{"fanuc", R"nc(
+O9124(ONCE)
+IF[#500NE0]GOTO9
+#500=1
+#3=POW[#500,3]
+G0 X#3 Y[ATAN[#3]/[#500]]
+N9 M99
+)nc"}},
+    .alarms = {{"FANUC 16i/18i/21i", "113", "IMPROPER COMMAND", true, "lacks-function"}},
+    .sources = {"ISORP", "SEED-001:263-278", "SINHA-EXP", "HAAS-118", "GH-ALM"},
+    .check = &check,
+};
+
+namespace {
+
+std::string_view message_for(const SyntaxError& error) {
+    if (error.answer == Answer::unknown) return "unsure";
+    if (error.answer == Answer::stops_if_assumed) return "elsewhere";
+    return error.fault.substr(error.fault.find('-') + 1); // "lacks-form"
+}
+
+void check(const ProgramFile& file, Reporter& reporter) {
+    SyntaxCauses causes(file);
+    for (const SyntaxError& error : file.syntax_errors) {
+        if (!lacking::is_one(error)) continue;
+        Finding& finding = reporter.report({file, error.span}, error.span, message_for(error),
+                                           {error.subject, error.cure, error.elsewhere});
+        finding.alarm = reporter.alarm_for(file, error.fault);
+        if (error.answer != Answer::stops) {
+            finding.severity = Severity::warning;
+            finding.alarm = {};
+        }
+        finding.same_cause = causes.of(error) + std::string(error.fault) + error.subject;
+    }
+}
+
+} // namespace
+} // namespace maclint::rules
