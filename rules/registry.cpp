@@ -44,6 +44,7 @@
     RULE(overwritten_conditional)               /* MAC214 */ \
     RULE(crossed_axes)                          /* MAC215 */ \
     RULE(common_stale_read)                     /* MAC216 */ \
+    RULE(common_clobber)                        /* MAC217 */ \
     RULE(zero_test_misses_vacant)               /* MAC220 */ \
     RULE(vacant_in_relational_comparison)       /* MAC221 */ \
     RULE(vacancy_lost_in_arithmetic)            /* MAC222 */ \
@@ -67,6 +68,8 @@
     RULE(do_without_while)                      /* MAC318 */ \
     RULE(infinite_loop_unchanged)               /* MAC319 */ \
     RULE(infinite_loop_step)                    /* MAC320 */ \
+    RULE(loop_never_executes)                   /* MAC321 */ \
+    RULE(loop_exit_only_by_equality)            /* MAC322 */ \
     RULE(if_without_brackets)                   /* MAC324 */ \
     RULE(if_without_then)                       /* MAC325 */ \
     RULE(then_multiple_statements)              /* MAC326 */ \
@@ -142,6 +145,7 @@
     RULE(domain_error)                          /* MAC703 */ \
     RULE(right_angle_tangent)                   /* MAC704 */ \
     RULE(function_needs_bracket)                /* MAC706 */ \
+    RULE(angle_in_radians)                      /* MAC707 */ \
     RULE(boolean_in_variable)                   /* MAC709 */ \
     RULE(float_equality)                        /* MAC710 */ \
     RULE(float_loop_counter)                    /* MAC711 */ \
@@ -150,6 +154,7 @@
     RULE(duplicate_subcondition)                /* MAC719 */ \
     RULE(redundant_recompute)                   /* MAC720 */ \
     RULE(missing_tolerance)                     /* MAC726 */ \
+    RULE(tolerance_inside_abs)                  /* MAC727 */ \
     RULE(block_number_too_long)                  /* DIN004 */ \
     RULE(block_must_be_alone)                    /* DIN008 */ \
     RULE(foreign_comment_style)                  /* DIN013 */ \

@@ -29,7 +29,7 @@ extern const Rule constant_condition{
     .why = "Blocks run that should not, or never run. Often another variable or another case was meant.",
     .severity = Severity::warning,
     .precision = Precision::high,
-    .yields_to = "MAC222",
+    .yields_to = "MAC222 MAC321",
     .facts = dataflow::facts<dataflow::Condition, dataflow::Comparison, dataflow::Store, dataflow::Read>(),
     .data_flow = true,
     .messages = {{"decided", "Condition {1} true: '{0}'.", "Correct it, or remove it."},

@@ -1,17 +1,14 @@
-//! MAC229: a number is compared that is meant as a variable.
+//! MAC229: a number stands where a variable is meant.
 #include "analyzer/dataflow/facts/comparison.hpp"
 #include "analyzer/program/tables.hpp"
+#include "analyzer/queries/bare_numbers.hpp"
 #include "analyzer/workspace/program_analysis.hpp"
 #include "rules/path.hpp"
 #include "rules/rule.hpp"
 
 #include <algorithm>
-#include <cmath>
-#include <cstddef>
 #include <cstdint>
-#include <optional>
 #include <string>
-#include <string_view>
 #include <variant>
 
 namespace maclint::rules {
@@ -25,9 +22,10 @@ constexpr Exemption meant_to_hold;
 extern const Rule bare_number_for_variable{
     .code = "MAC229",
     .name = "bare-number-for-variable",
-    .summary = "A condition compares two numbers, one of which is a variable's without its #",
-    .why = "The comparison has the same result whatever the variable holds: a check never stops the program, "
-           "or always does.",
+    .summary = "A number stands where the variable of that number is meant: its # is missing",
+    .why =
+        "A comparison has the same result whatever the variable holds: a check never stops the program, or "
+        "always does. A word gets the number itself: X18 moves to 0.018, F[517] feeds at 517.",
     .severity = Severity::warning,
     .precision = Precision::high,
     .needs = {Capability::vacancy},
@@ -37,6 +35,10 @@ extern const Rule bare_number_for_variable{
                  {"system",
                   "Number for a variable: '{0}' compares the number {1}, and #{1} is a variable of "
                   "the control.",
+                  "Write #{1}."},
+                 {"bracket", "Number for a variable: '{0}' is the number {1}, and other blocks say #{1}.",
+                  "Write [#{1}]."},
+                 {"sibling", "Number for a variable: '{0}' is the number {1}, and line {2} has '{3}'.",
                   "Write #{1}."}},
     .bad = {{"fanuc", R"nc(
 O9229(ONLY UNDER G56)
@@ -51,6 +53,13 @@ O9229(COUNT)
 IF[500LT20]GOTO5
 #3000=2(NEW TOOL)
 N5 M99
+)nc"},
+            {"fanuc", R"nc(
+O0229(PROBE)
+#517=50.
+G65 P9229 X30. F[#517]
+G65 P9229 X-30. F[517]
+M30
 )nc"}},
     .good = {{"fanuc", R"nc(
 O9229(ONLY UNDER G56)
@@ -79,24 +88,6 @@ N9 M99
 
 namespace {
 
-/// The whole number that the expression is, and that a variable can have.
-std::optional<std::int64_t> number_in(const Program& program, ExpressionId id) {
-    const auto* literal = std::get_if<Literal>(&program.expressions[id].node);
-    constexpr double most = 1e6;
-    if (literal == nullptr || literal->value < 1 || literal->value > most ||
-        literal->value != std::floor(literal->value) || literal->decimal_point)
-        return std::nullopt;
-    return static_cast<std::int64_t>(literal->value);
-}
-
-bool says_variable(std::string_view text, const std::string& written) {
-    for (std::size_t at = text.find(written); at != std::string_view::npos; at = text.find(written, at + 1)) {
-        const std::size_t end = at + written.size();
-        if (end == text.size() || text[end] < '0' || text[end] > '9') return true;
-    }
-    return false;
-}
-
 bool is_of_the_control(const ControlModel& control, std::int64_t number) {
     return std::ranges::any_of(control.families, [&](const VariableFamily& family) {
         const VariableRange* range = family.find(number);
@@ -111,19 +102,26 @@ void check(const ProgramAnalysis& analysis, Reporter& reporter) {
     };
     for (const dataflow::Comparison& comparison : analysis.facts().all<dataflow::Comparison>()) {
         if (!is_literal(comparison.left_expression) || !is_literal(comparison.right_expression)) continue;
-        const auto left = number_in(program, comparison.left_expression);
-        const auto right = number_in(program, comparison.right_expression);
+        const auto left = queries::number_of_a_variable(program, comparison.left_expression);
+        const auto right = queries::number_of_a_variable(program, comparison.right_expression);
         if (meant_to_hold.is_on() && left == right) continue; // [1000EQ1000] is meant to be true
-        const std::string_view text = program.text.substr(program.span.begin, program.span.length());
         for (const auto& number : {left, right}) {
             if (!number) continue;
-            const bool used = says_variable(text, "#" + std::to_string(*number));
+            const bool used = queries::names_variable(program, *number);
             if (!used && !is_of_the_control(analysis.control(), *number)) continue;
             const Span span = program.expressions[comparison.expression].span;
             reporter.report({analysis, comparison}, span, used ? "used" : "system",
                             {quoted(program, span), std::to_string(*number)});
             break;
         }
+    }
+    for (const queries::BareNumber& bare : queries::find_bare_numbers(program)) {
+        Finding& finding = reporter.report(
+            {analysis, bare.span}, bare.span, bare.sibling.empty() ? "bracket" : "sibling",
+            {quoted(program, bare.span), std::to_string(bare.number),
+             line_number(analysis.file(), bare.sibling.begin), quoted(program, bare.sibling)});
+        if (!bare.sibling.empty())
+            finding.related.push_back({analysis.source(), bare.sibling, "the variable stands here"});
     }
 }
 
