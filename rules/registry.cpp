@@ -28,6 +28,7 @@
     RULE(symbolic_comparison)                   /* MAC119 */ \
     RULE(unreadable_block)                      /* MAC121 */ \
     RULE(unreached_text)                        /* MAC122 */ \
+    RULE(unknown_code)                          /* MAC123 */ \
     RULE(not_on_this_control)                   /* MAC124 */ \
     RULE(percent_in_comment)                    /* MAC125 */ \
     RULE(decimal_comma)                         /* MAC126 */ \
@@ -135,7 +136,6 @@
     RULE(blocks_out_of_order)                   /* MAC580 */ \
     RULE(word_not_listed)                       /* MAC581 */ \
     RULE(codes_not_together)                    /* MAC582 */ \
-    RULE(unknown_code)                          /* MAC583 */ \
     RULE(too_many_words)                        /* MAC584 */ \
     RULE(alarm_number_out_of_range)             /* MAC601 */ \
     RULE(missing_argument_validation)           /* MAC604 */ \

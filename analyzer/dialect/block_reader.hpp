@@ -55,12 +55,12 @@ concept BlockDialect = requires(Dialect dialect, Offset at, RawBlock& raw, const
     {dialect.lower(tree, block)};
     {dialect.add_unreadable(block)};
     /// Whether a block with this text may call a program or begin one, other than by its head.
-    { Dialect::may_call(text) } -> std::same_as<bool>;
+    { dialect.may_call(text) } -> std::same_as<bool>;
     /// The block belongs to its program, but what it says is not asked for.
     {dialect.pass_over(span)};
     /// Where the block at `at` ends, if a glance tells that it neither begins a program nor calls one, and
     /// has no others in its line.
-    { Dialect::end_at_a_glance(text, at) } -> std::same_as<std::optional<Offset>>;
+    { dialect.end_at_a_glance(text, at) } -> std::same_as<std::optional<Offset>>;
     /// At the end of the file.
     {dialect.close()};
 };
@@ -85,7 +85,7 @@ class BlockReader {
             at = dialect_.pass(at, take_plain);
             if (at >= text_.size()) break;
             if (extent_ == Extent::names_and_calls) {
-                if (const auto end = Dialect::end_at_a_glance(text_, at)) {
+                if (const auto end = dialect_.end_at_a_glance(text_, at)) {
                     dialect_.pass_over({at, *end});
                     at = *end;
                     continue;
@@ -123,7 +123,7 @@ class BlockReader {
 
     [[nodiscard]] bool is_asked_for() const {
         return extent_ == Extent::whole ||
-               Dialect::may_call(text_.substr(raw_.span.begin, raw_.span.length()));
+               dialect_.may_call(text_.substr(raw_.span.begin, raw_.span.length()));
     }
 
     void read_code() {

@@ -28,6 +28,8 @@ struct WorkspaceFile {
     /// Some call whose program only the running program knows may mean one of this file's that other files
     /// can call.
     bool may_be_computed = false;
+    /// Programs that the control may run for codes of the machine's own (O9010) are in its folder.
+    bool has_macros_for_codes = false;
 };
 
 struct WorkspaceOptions {

@@ -3,6 +3,7 @@
 
 #include "analyzer/dialect/maker_rights.hpp"
 #include "analyzer/program/model.hpp"
+#include "analyzer/program/own_codes.hpp"
 #include "cli/engine/read.hpp"
 #include "cli/suggest.hpp"
 
@@ -47,6 +48,21 @@ std::string look_ahead_line(const MachineFunctions& functions) {
     }
     const std::string list = words.empty() ? "no others" : enumerate(words);
     return line("look-ahead", "stopped by the words of the language, and " + list);
+}
+
+/// "G81 calls O9010, G310; lacks G51"; nothing where nobody tells of codes of the machine.
+std::string own_codes_line(const ControlModel& control) {
+    std::vector<std::string> has, lacks;
+    for (const OwnCode& code : control.own_codes) {
+        const std::string name = spelled(code);
+        if (code.program == not_fitted)
+            lacks.push_back(name);
+        else
+            has.push_back(calls_program(code) ? name + " calls O" + std::to_string(code.program) : name);
+    }
+    std::string text = enumerate(has);
+    if (!lacks.empty()) text += (text.empty() ? "lacks " : "; lacks ") + enumerate(lacks);
+    return text.empty() ? "" : line("own codes", text);
 }
 
 /// What is not as it comes, by reason.
@@ -142,6 +158,7 @@ std::string paragraph(const SnapshotFile& file, const ReadFile& read) {
     out += line("dialect", with_reason(read.dialect->name, read.dialect_reason));
     out += control_line(file, read);
     out += look_ahead_line(read.file->control->functions);
+    out += own_codes_line(*read.file->control);
     out += vendor_line(file, read);
     if (!file.settings.baseline.empty()) out += line("baseline", shown(file.settings.baseline));
     out += line("encoding", std::string(name_of(read.source->stored_encoding())));

@@ -144,8 +144,9 @@ class Loader {
     }
 
     std::shared_ptr<const OwnControl> read_control(const JsonMember& member) {
-        static constexpr std::array<std::string_view, 6> known = {"model",    "machine", "gcode-system",
-                                                                  "block-if", "limits",  "stops-look-ahead"};
+        static constexpr std::array<std::string_view, 10> known = {
+            "model", "machine", "gcode-system", "block-if",  "limits", "stops-look-ahead",
+            "codes", "lacks",   "calls",        "parameters"};
         const auto& settings = object(member.node, "a control");
         const auto model = std::ranges::find(settings, "model", &JsonMember::key);
         if (model == settings.end())
@@ -171,6 +172,7 @@ class Loader {
             if (setting.key == "stops-look-ahead")
                 own.functions.stopping = functions(setting.node, own.functions);
             if (setting.key == "block-if") own.block_if = truth(setting.node, "'block-if'");
+            read_machine(setting, own.machine);
             if (setting.key == "gcode-system") {
                 const ControlModel* system = of_system(*base, setting.node);
                 if (base->machine == Machine::lathe) base = system;
@@ -180,6 +182,33 @@ class Loader {
                 reject_key(setting, {known.begin(), known.end()});
         }
         return std::make_shared<const OwnControl>(member.key, *base, std::move(lathes), std::move(own));
+    }
+
+    /// The keys that tell what one machine has.
+    void read_machine(const JsonMember& setting, MachineFacts& machine) {
+        if (setting.key == "codes")
+            for (const JsonNode& element : array(setting.node, "'codes'"))
+                accept(machine.add_codes(text(element, "an entry of 'codes'")), element.span);
+        if (setting.key == "lacks")
+            for (const JsonNode& element : array(setting.node, "'lacks'"))
+                accept(machine.add_missing(text(element, "an entry of 'lacks'")), element.span);
+        if (setting.key == "calls")
+            for (const JsonMember& call : object(setting.node, "'calls'"))
+                accept(machine.add_call(call.key, text(call.node, "a program of 'calls'")), call.key_span);
+        if (setting.key == "parameters")
+            for (const JsonMember& parameter : object(setting.node, "'parameters'"))
+                accept(machine.add_parameter(parameter.key, number(parameter.node, parameter.key)),
+                       parameter.key_span);
+    }
+
+    void accept(const std::optional<WrongWord>& wrong, Span span) const {
+        if (wrong) reject(span, wrong->message);
+    }
+
+    double number(const JsonNode& node, const std::string& key) const {
+        const auto* value = std::get_if<double>(&node.value);
+        if (value == nullptr) reject(node.span, "'" + key + "' must be a number. Correct it");
+        return *value;
     }
 
     /// The model on the machine that the node names.

@@ -10,6 +10,7 @@ ControlModel OwnControl::with_facts(const ControlModel& base) const {
     control.limits = facts_.limits;
     control.functions = facts_.functions;
     if (facts_.block_if) control.has_block_if = *facts_.block_if;
+    facts_.machine.apply_to(control);
     control.returns_within.clear();
     control.limits_at_most.reset();
     control.lathes.clear();

@@ -3,6 +3,7 @@
 
 #include "analyzer/program/tables.hpp"
 #include "analyzer/source/made_once.hpp"
+#include "cli/config/machine_facts.hpp"
 
 #include <memory>
 #include <optional>
@@ -20,6 +21,7 @@ class OwnControl {
         Limits limits;
         MachineFunctions functions;
         std::optional<bool> block_if = {}; ///< IF … THEN, ELSE, ENDIF as blocks; nothing: as the model
+        MachineFacts machine = {};
     };
 
     /// `lathes`: the models where the text is written for one; empty: there are none, or nobody wants them.

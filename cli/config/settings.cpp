@@ -199,6 +199,7 @@ std::optional<FileSettings> Settings::for_file(const std::string& path) {
             *found ? (*found)->control(overrides_.control) : find_control(overrides_.control);
         if (named != nullptr) settings.controls.insert(settings.controls.begin(), {named, "--control"});
     }
+    if (!overrides_.machine.empty()) tell_of_machine(settings);
     settings.rules = rules_for(found->get(), path);
     if (!overrides_.baseline.empty())
         settings.baseline = overrides_.baseline;
@@ -207,6 +208,25 @@ std::optional<FileSettings> Settings::for_file(const std::string& path) {
     settings.vendor = overrides_.vendor ? VendorCode::none : vendor_code(found->get(), path);
     settings.complete = overrides_.complete || (*found && (*found)->complete);
     return settings;
+}
+
+/// Of the controls that somebody named, and of those that dialects assume.
+void Settings::tell_of_machine(FileSettings& settings) {
+    for (NamedControl& named : settings.controls) named.control = &with_machine(*named.control);
+    for (const Dialect& dialect : dialects())
+        if (control_for(dialect, settings.controls) == nullptr)
+            settings.controls.push_back(
+                {&with_machine(*find_control(dialect.default_control)), "assumed for the dialect"});
+}
+
+const ControlModel& Settings::with_machine(const ControlModel& control) {
+    auto& made = with_machine_[&control];
+    if (made != nullptr) return *made;
+    made = std::make_unique<ControlModel>(control);
+    overrides_.machine.apply_to(*made);
+    for (const ControlModel*& lathe : made->lathes)
+        lathe = lathe == &control ? made.get() : &with_machine(*lathe);
+    return *made;
 }
 
 std::shared_ptr<const RuleStates> Settings::rules_for(const Configuration* configuration,

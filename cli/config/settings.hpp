@@ -3,6 +3,7 @@
 
 #include "analyzer/dialect/dialect.hpp"
 #include "cli/config/configuration.hpp"
+#include "cli/config/machine_facts.hpp"
 #include "cli/config/selection.hpp"
 #include "cli/input/size_limits.hpp"
 #include "cli/notice.hpp"
@@ -22,6 +23,7 @@ namespace maclint::cli {
 struct Overrides {
     const Dialect* dialect = nullptr; ///< nullptr: the configuration says, or the file shows it
     std::string control;              ///< empty: the configuration says
+    MachineFacts machine = {};        ///< of all files' machine, beside what the configuration says
     std::vector<std::string>
         select; ///< empty: the configuration says; else it replaces its select and ignore
     std::vector<std::string> ignore;
@@ -90,6 +92,8 @@ class Settings {
     Loaded in_folder(const std::filesystem::path& folder, const std::string& shown);
     [[nodiscard]] std::optional<Notice> refuse_link(const std::filesystem::path& folder,
                                                     const std::string& shown) const;
+    void tell_of_machine(FileSettings& settings);
+    [[nodiscard]] const ControlModel& with_machine(const ControlModel& control);
     static void say_of_file(const Configuration& configuration, const std::string& path,
                             FileSettings& settings);
     [[nodiscard]] static VendorCode vendor_code(const Configuration* configuration, const std::string& path);
@@ -103,6 +107,7 @@ class Settings {
 
     Overrides overrides_;
     std::vector<std::filesystem::path> own_;
+    std::map<const ControlModel*, std::unique_ptr<ControlModel>> with_machine_; ///< and their lathes
     std::map<std::string, Loaded> by_folder_;
     std::map<std::string, Loaded> by_path_;
     /// By the entries of "per-file-ignores" that hold.

@@ -10,6 +10,7 @@
 #include "cli/engine/bounds.hpp"
 #include "cli/engine/computed_calls.hpp"
 #include "cli/engine/other_control.hpp"
+#include "cli/engine/own_macros.hpp"
 #include "cli/engine/read.hpp"
 #include "cli/engine/row_choice.hpp"
 #include "cli/engine/same_numbers.hpp"
@@ -120,6 +121,7 @@ class Run {
         for (SeenFile& seen : seen_) outlines.push_back(std::move(seen.outline));
         computed_calls_ = ComputedCalls(snapshot_, outlines);
         same_numbers_ = SameNumbers(snapshot_, outlines);
+        own_macros_ = OwnMacros(snapshot_, outlines);
         auto groups = groups_of(outlines);
         std::erase_if(groups, [&](const Group& group) {
             return std::ranges::none_of(
@@ -191,7 +193,8 @@ class Run {
                 std::ranges::move(not_nc(*programs, *seen_[i].read.not_nc), std::back_inserter(findings));
             else
                 members.push_back({programs, file.input.asked, file.settings.complete,
-                                   computed_calls_.may_mean(file, programs->control->language)});
+                                   computed_calls_.may_mean(file, programs->control->language),
+                                   own_macros_.lie_by(file, programs->control->language)});
         }
         const Selection selection = selection_of(rules);
         std::ranges::move(find_in(std::move(members), selection, jobs), std::back_inserter(findings));
@@ -307,6 +310,7 @@ class Run {
     std::atomic<std::size_t> at_once_ = 0; ///< bytes of texts that were asked for
     ComputedCalls computed_calls_;
     SameNumbers same_numbers_;
+    OwnMacros own_macros_;
     Stopwatches watches_;
     Bounds bounds_;
     Result result_;

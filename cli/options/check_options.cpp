@@ -108,12 +108,28 @@ std::vector<std::string> listed(std::string_view option, const std::vector<std::
     return words;
 }
 
+/// Refuses the first word that `add` finds wrong.
+template<class Add>
+void take_words(std::string_view option, const std::vector<std::string>& lists, const Add& add) {
+    for (const std::string& word : listed(option, lists))
+        if (const auto wrong = add(word)) refuse(std::string(option) + ": " + wrong->message + ".");
+}
+
+MachineFacts machine_of(const CheckWords& words) {
+    MachineFacts machine;
+    take_words("--codes", words.codes, [&](std::string_view word) { return machine.add_codes(word); });
+    take_words("--lacks", words.lacks, [&](std::string_view word) { return machine.add_missing(word); });
+    take_words("--calls", words.calls, [&](std::string_view word) { return machine.add_assignment(word); });
+    return machine;
+}
+
 Overrides overrides_of(const CheckWords& words) {
     Overrides overrides;
     overrides.dialect = find_dialect(words.dialect);
     if (overrides.dialect == nullptr && words.dialect != "auto")
         refuse_word("--dialect", words.dialect, dialect_words());
     overrides.control = words.control;
+    overrides.machine = machine_of(words);
     overrides.select = listed("--select", words.select);
     overrides.ignore = listed("--ignore", words.ignore);
     require_rules("--select", overrides.select);
@@ -189,6 +205,16 @@ void declare_check(CLI::App& check, CheckWords& words) {
         .add_option("--dialect", words.dialect, "Language of all files: auto, " + enumerate(dialect_names()))
         ->type_name("NAME");
     check.add_option("--control", words.control, "Control that all files are for")->type_name("NAME");
+    repeatable(check.add_option("--codes", words.codes,
+                                "The machine's own codes, such as G310 or M50-M59: all of their letter"))
+        ->type_name("CODES");
+    repeatable(
+        check.add_option("--lacks", words.lacks, "Codes whose option the machine has not, such as G51"))
+        ->type_name("CODES");
+    repeatable(
+        check.add_option("--calls", words.calls,
+                         "Codes that call programs, such as G81=O9010, or by their parameter, 6050=81"))
+        ->type_name("CODE=PROGRAM");
     repeatable(check.add_option(
                    "--select", words.select,
                    "Only these rules: codes, names, rows such as MAC523/G83.Q, prefixes such as MAC3, ALL"))

@@ -14,7 +14,7 @@ namespace maclint::cli {
 
 /// Options of `check` as they were typed.
 struct CheckWords {
-    std::vector<std::string> paths, outputs, select, ignore, severity, without_exemption;
+    std::vector<std::string> paths, outputs, select, ignore, severity, without_exemption, codes, lacks, calls;
     std::string format, dialect = "auto", control, config, stdin_name, jobs, fail_on = "warning",
                         max_findings, max_file_size, path = "short", colour = "auto", baseline,
                         write_baseline, since;

@@ -98,4 +98,8 @@ bool has_code_page(const ControlModel& control, char letter, double code) {
     return std::any_of(first, last, [&](const auto& entry) { return entry.second->is_of(control); });
 }
 
+bool has_page_anywhere(std::string_view language, char letter, double code) {
+    return index().contains({language, letter, code});
+}
+
 } // namespace maclint

@@ -36,6 +36,8 @@ struct CodePage {
 [[nodiscard]] std::vector<const CodePage*> pages_of_code(std::string_view language, std::string_view code);
 /// Whether a chapter of the control has the code, wherever it may stand.
 [[nodiscard]] bool has_code_page(const ControlModel& control, char letter, double code);
+/// Whether a chapter of any control of the language has it.
+[[nodiscard]] bool has_page_anywhere(std::string_view language, char letter, double code);
 /// Whether the chapters hold all G codes that the language's manual knows.
 [[nodiscard]] bool has_all_codes(std::string_view language);
 [[nodiscard]] bool has_all_codes(const ControlModel& control);

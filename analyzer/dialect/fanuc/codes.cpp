@@ -3,9 +3,16 @@
 
 #include "analyzer/dialect/fanuc/plain.hpp"
 #include "analyzer/dialect/fanuc/tables.hpp"
+#include "analyzer/program/own_codes.hpp"
 
 #include <algorithm>
 #include <cmath>
+#include <map>
+#include <memory>
+#include <mutex>
+#include <tuple>
+#include <utility>
+#include <vector>
 
 namespace maclint::fanuc {
 namespace {
@@ -119,6 +126,36 @@ CodeTable build(const ControlModel& control) {
     return table;
 }
 
+/// What the codes that call programs are else does not count.
+CodeTable with_calls(CodeTable table, const ControlModel& control) {
+    for (const OwnCode& code : control.own_codes) {
+        if (!calls_program(code)) continue;
+        const std::uint16_t traits = calls_subprogram(code) ? own : own | no_words | may_call;
+        if (code.letter == 'G' && tenths(code.number) < table.g.size())
+            table.g[tenths(code.number)] = {.group = no_group, .traits = traits};
+        const auto number = static_cast<std::size_t>(code.number);
+        if (code.letter == 'M' && number < table.m.size()) table.m[number] = traits;
+        if (code.letter == 'M' && number < table.m_groups.size()) table.m_groups[number] = no_group;
+    }
+    table.plain = plain_tables(table);
+    return table;
+}
+
+/// Kept for good: a shop has few machines, and programs point to the table.
+const CodeTable& kept_with_calls(const ControlModel& control) {
+    using Calls = std::vector<std::tuple<char, double, bool>>;
+    static std::mutex mutex;
+    static std::map<std::pair<const CodeTable*, Calls>, std::unique_ptr<const CodeTable>> tables;
+    const CodeTable& usual = usual_codes_of(control);
+    Calls calls;
+    for (const OwnCode& code : control.own_codes)
+        if (calls_program(code)) calls.emplace_back(code.letter, code.number, calls_subprogram(code));
+    const std::scoped_lock lock(mutex);
+    auto& table = tables[{&usual, std::move(calls)}];
+    if (table == nullptr) table = std::make_unique<const CodeTable>(with_calls(usual, control));
+    return *table;
+}
+
 } // namespace
 
 Code CodeTable::g_code(double code) const {
@@ -139,7 +176,7 @@ GroupId CodeTable::m_group(double code) const {
     return m_groups[static_cast<std::size_t>(code)];
 }
 
-const CodeTable& codes_of(const ControlModel& control) {
+const CodeTable& usual_codes_of(const ControlModel& control) {
     // All controls of a machine type and system share the layout of their modal groups.
     static const CodeTable of_mills = build(fanuc_control("fanuc"));
     static const CodeTable of_lathes_a = build(*fanuc_control("fanuc").lathe_of('A'));
@@ -151,6 +188,11 @@ const CodeTable& codes_of(const ControlModel& control) {
     case 'C': return of_lathes_c;
     default: return of_mills;
     }
+}
+
+const CodeTable& codes_of(const ControlModel& control) {
+    return std::ranges::any_of(control.own_codes, calls_program) ? kept_with_calls(control)
+                                                                 : usual_codes_of(control);
 }
 
 } // namespace maclint::fanuc

@@ -63,6 +63,8 @@ struct CodeTable {
 };
 
 /// The table of the machine type that the control drives, and of its G code system.
+[[nodiscard]] const CodeTable& usual_codes_of(const ControlModel& control);
+/// The same with the machine's own codes, where they call programs.
 [[nodiscard]] const CodeTable& codes_of(const ControlModel& control);
 
 } // namespace maclint::fanuc

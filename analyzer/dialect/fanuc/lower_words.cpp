@@ -145,10 +145,11 @@ Slice BlockLowering::arguments_from(std::span<const NcWord> words) {
 /// Order of a block's words: modal codes, F and S, the move, then what stops, calls or ends.
 void BlockLowering::lower_usual_words(std::span<const NcWord> words, Span span) {
     std::uint16_t traits = 0;
+    const CodeTable& codes = this->codes();
     for (const NcWord& word : words) {
         if (word.comma || !word.literal) continue;
-        if (word.letter == 'G') traits |= codes_.g_code(*word.literal).traits;
-        if (word.letter == 'M') traits |= codes_.m_code(*word.literal);
+        if (word.letter == 'G') traits |= codes.g_code(*word.literal).traits;
+        if (word.letter == 'M') traits |= codes.m_code(*word.literal);
     }
     const bool own_words = (traits & no_words) != 0;
     bool moves = false;
@@ -162,22 +163,22 @@ void BlockLowering::lower_usual_words(std::span<const NcWord> words, Span span) 
                 continue;
             }
             if (*word.literal == 52) set_local_offset(words, span);
-            const Code code = codes_.g_code(*word.literal);
+            const Code code = codes.g_code(*word.literal);
             if (code.group != no_group) effect({SetModal{code.group, *word.value}, here});
         } else if (word.letter == 'F' && !own_words) {
             effect({SetModal{codes_.feed, *word.value}, here});
         } else if (word.letter == 'S' && !own_words && (traits & limits_speed) == 0) {
             effect({SetModal{codes_.speed, *word.value}, here});
-        } else if (word.letter == 'M' && word.literal && codes_.m_group(*word.literal) != no_group) {
-            effect({SetModal{codes_.m_group(*word.literal), *word.value}, here});
+        } else if (word.letter == 'M' && word.literal && codes.m_group(*word.literal) != no_group) {
+            effect({SetModal{codes.m_group(*word.literal), *word.value}, here});
         } else {
             moves |= codes_.is_axis(word.letter);
             if (!word.literal) computed_.push_back(*word.value);
         }
     }
-    if ((traits & may_call) != 0)
-        lower_possible_call(words, span);
-    else
+    if ((traits & may_call) != 0) {
+        if (!lower_own_macro(words, span)) lower_possible_call(words, span);
+    } else
         builder_->add_values(computed_, span);
     if (moves && (traits & (no_axes | no_words)) == 0)
         effect({Motion{(traits & without_feed) != 0, (traits & to_reference) != 0}, span});
@@ -216,6 +217,7 @@ void BlockLowering::lower_machine_function(const NcWord& word, std::span<const N
         return found == words.end() ? std::nullopt : found->value;
     };
     const Span here = this->span(*word.node);
+    if (own_call(word) != nullptr) return lower_own_subprogram(word, here);
     if (*word.literal == 0 || *word.literal == 1) effect({Stop{Stop::Kind::pause, std::nullopt}, here});
     if (*word.literal == 2 || *word.literal == 30) effect({Stop{Stop::Kind::end, std::nullopt}, here});
     if (*word.literal == 6) effect({ToolChange{}, here});

@@ -77,6 +77,13 @@ class BlockLowering : private TreeLowering {
     void lower_macro_call(std::span<const NcWord> words, Span span);
     void lower_usual_words(std::span<const NcWord> words, Span span);
     void lower_possible_call(std::span<const NcWord> words, Span span);
+    // ---- codes of the machine's own that call programs (lower_own_codes.cpp)
+    /// Those of the control, or those without own calls in a program that is one of the called.
+    [[nodiscard]] const CodeTable& codes() const;
+    [[nodiscard]] bool lower_own_macro(std::span<const NcWord> words, Span span);
+    void lower_own_subprogram(const NcWord& code, Span span);
+    [[nodiscard]] const OwnCode* own_call(const NcWord& word) const;
+    // ---- NC words again
     void lower_machine_function(const NcWord& word, std::span<const NcWord> words, Span span);
     void lower_subprogram_call(CallKindId kind, const NcWord& code, std::span<const NcWord> words, Span span);
     void report_missing_program(const NcWord& code, std::span<const NcWord> words);

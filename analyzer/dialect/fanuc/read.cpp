@@ -14,6 +14,7 @@
 #include "analyzer/dialect/numbers.hpp"
 #include "analyzer/program/builder.hpp"
 #include "analyzer/program/faults.hpp"
+#include "analyzer/program/own_codes.hpp"
 #include "analyzer/program/plain_run.hpp"
 #include "analyzer/source/content.hpp"
 
@@ -124,9 +125,9 @@ class Family {
         program.end_block(unreadable_head(raw.span));
     }
 
-    /// A call names its program by P or `<name>`.
-    static bool may_call(std::string_view block) {
-        return block.find_first_of("Pp<") != std::string_view::npos;
+    /// A call names its program by P or `<name>`, or is one by a code of the machine's own.
+    [[nodiscard]] bool may_call(std::string_view block) const {
+        return has_own_calls_ || block.find_first_of("Pp<") != std::string_view::npos;
     }
 
     /// The program is one with blocks, and so named after its file, too.
@@ -139,7 +140,8 @@ class Family {
 
     /// Without P, `<` and `&`, without `O1` or `:` that may be a program number, `;` that ends it within the
     /// line, and `%`. A line of comments alone is no block.
-    static std::optional<Offset> end_at_a_glance(std::string_view text, Offset at) {
+    [[nodiscard]] std::optional<Offset> end_at_a_glance(std::string_view text, Offset at) const {
+        if (has_own_calls_) return std::nullopt;
         static constexpr auto tells = bytes_of("Pp<:;%&");
         bool has_code = false;
         for (; at < text.size() && !is_line_break(text[at]); ++at) {
@@ -263,6 +265,7 @@ class Family {
     const ControlModel& control_;
     ProgramFile& file_;
     const CodeTable& codes_;
+    const bool has_own_calls_ = std::ranges::any_of(control_.own_codes, calls_program);
     BlockLowering lowering_;
     PlainRunTotals run_;
     bool tape_open_ = true;
