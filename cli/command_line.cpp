@@ -30,8 +30,8 @@ constexpr std::array<Choice<ShellScript>, 3> shells{
 /// What was typed behind a command, each of which has its own.
 struct Words {
     CheckWords check;
-    std::string format = "text", docs_folder, codes_folder, rule, dialect = "auto", colour = "auto", shell,
-                about = "check";
+    std::string format = "text", docs_folder, codes_folder, alarms_file, rule, dialect = "auto", control,
+                colour = "auto", shell, about = "check";
 };
 
 struct Command {
@@ -176,19 +176,24 @@ void declare_rules(CLI::App& app, Words& words) {
     app.add_option("--write-codes", words.codes_folder,
                    "Write what is known of each code, a folder a language, into this folder")
         ->type_name("DIR");
+    app.add_option("--write-alarms", words.alarms_file,
+                   "Write the alarms of controls, with the rules that find them, into this file")
+        ->type_name("FILE");
 }
 
 Request rules_request(const Words& words) {
-    return RulesRequest{choose("--format", words.format, list_formats), words.docs_folder,
-                        words.codes_folder};
+    return RulesRequest{choose("--format", words.format, list_formats), words.docs_folder, words.codes_folder,
+                        words.alarms_file};
 }
 
 void declare_explain(CLI::App& app, Words& words) {
     app.add_option("RULE", words.rule,
                    "Code or name, in any case, with the key of a row or without, or a part of it; or a code "
-                   "of programs, such as G860")
+                   "of programs, such as G83, a variable, such as '#4109', or the number of an alarm")
         ->type_name("");
     app.add_option("--dialect", words.dialect, "Of a code such as G83: in this language alone")
+        ->type_name("NAME");
+    app.add_option("--control", words.control, "Of a code, a variable or an alarm: on this control alone")
         ->type_name("NAME");
     app.add_option("--color", words.colour, "auto, always or never; NO_COLOR is respected")
         ->type_name("WHEN");
@@ -201,7 +206,24 @@ Request explain_request(const Words& words) {
     const Dialect* dialect = find_dialect(words.dialect);
     if (dialect == nullptr && words.dialect != "auto")
         refuse_word("--dialect", words.dialect, dialect_words());
-    return ExplainRequest{words.rule, colour, dialect};
+    const ControlModel* control = words.control.empty() ? nullptr : find_control(words.control);
+    if (control == nullptr && !words.control.empty())
+        refuse_word("--control", words.control, control_names());
+    return ExplainRequest{words.rule, colour, dialect, control};
+}
+
+void declare_controls(CLI::App& app, Words& words) {
+    app.add_option("NAME", words.control, "All that is known of this one")->type_name("");
+    app.add_option("--format", words.format, "text or json")->type_name("FORMAT");
+    app.add_option("--color", words.colour, "auto, always or never; NO_COLOR is respected")
+        ->type_name("WHEN");
+}
+
+Request controls_request(const Words& words) {
+    const ControlModel* control = words.control.empty() ? nullptr : find_control(words.control);
+    if (control == nullptr && !words.control.empty()) refuse_word("controls", words.control, control_names());
+    return ControlsRequest{choose("--format", words.format, plain_list_formats), control,
+                           choose("--color", words.colour, colours)};
 }
 
 void declare_completions(CLI::App& app, Words& words) {
@@ -233,11 +255,13 @@ Request help_request(const Words& words) {
 Request version_request(const Words&) { return PrintRequest{std::string(version_text)}; }
 
 std::span<const Command> commands() {
-    static constexpr std::array<Command, 7> all{
+    static constexpr std::array<Command, 8> all{
         {{"check", "[PATH...]", "Lint files and folders", "", declare_check_command, check_command},
          {"rules", "", "List the rules", "The list of rules.", declare_rules, rules_request},
-         {"explain", "RULE", "Show a rule's page, or a code's", "A rule's page, or a code's.",
-          declare_explain, explain_request},
+         {"explain", "RULE", "Show the page of a rule, a code, a variable or an alarm",
+          "The page of a rule, a code, a variable or an alarm.", declare_explain, explain_request},
+         {"controls", "[NAME]", "List the controls, and what is known of each",
+          "The controls, and what is known of each.", declare_controls, controls_request},
          {"completions", "SHELL", "Print what bash, zsh or fish need to complete maclint's words",
           "A script on standard output that lets a shell complete maclint's words.", declare_completions,
           completions_request},
@@ -252,9 +276,10 @@ std::span<const Command> commands() {
 
 /// Options of all commands that take one of a few words; the others take any.
 std::vector<std::string> known_words(std::string_view command, std::string_view option) {
+    if (option == "--format" && command == "controls") return words_of(plain_list_formats);
     if (option == "--format") return command == "rules" ? words_of(list_formats) : words_of(formats);
     if (option == "--dialect") return dialect_words();
-    if (option == "--control") return control_names();
+    if (option == "--control" || option == "NAME") return control_names();
     if (option == "--fail-on") return fail_on_words();
     if (option == "--path") return words_of(path_details);
     if (option == "--color") return words_of(colours);

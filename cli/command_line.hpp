@@ -55,12 +55,20 @@ struct RulesRequest {
     ListFormat format = ListFormat::text;
     std::string docs_folder;  ///< write pages there instead; empty: no
     std::string codes_folder; ///< and those of codes there
+    std::string alarms_file;  ///< and the list of alarms there
 };
 
 struct ExplainRequest {
     std::string rule;
     ColourChoice colour = ColourChoice::automatic;
-    const Dialect* dialect = nullptr; ///< of a code; nullptr: of any language
+    const Dialect* dialect = nullptr;      ///< of a code; nullptr: of any language
+    const ControlModel* control = nullptr; ///< of a code, a variable, an alarm; nullptr: of any
+};
+
+struct ControlsRequest {
+    ListFormat format = ListFormat::text;
+    const ControlModel* control = nullptr; ///< all that is known of it; nullptr: a line for each
+    ColourChoice colour = ColourChoice::automatic;
 };
 
 /// Text to be printed instead of doing anything: help, version.
@@ -72,7 +80,8 @@ struct UsageError {
     std::string message; ///< "what. Cure."
 };
 
-using Request = std::variant<CheckRequest, RulesRequest, ExplainRequest, PrintRequest, UsageError>;
+using Request =
+    std::variant<CheckRequest, RulesRequest, ExplainRequest, ControlsRequest, PrintRequest, UsageError>;
 
 /// `arguments` without the program's name.
 [[nodiscard]] Request read_command_line(std::vector<std::string> arguments);

@@ -18,6 +18,7 @@ int do_request(const Request& request) {
     return std::visit(overloaded{[](const CheckRequest& check) { return run_check(check); },
                                  [](const RulesRequest& rules) { return run_rules_command(rules); },
                                  [](const ExplainRequest& explain) { return run_explain(explain); },
+                                 [](const ControlsRequest& controls) { return run_controls(controls); },
                                  [](const PrintRequest& print) { return print_text(print.text); },
                                  [](const UsageError& error) {
                                      print_error(error.message);

@@ -8,5 +8,6 @@ namespace maclint::cli {
 [[nodiscard]] int run_check(const CheckRequest& request);
 [[nodiscard]] int run_rules_command(const RulesRequest& request);
 [[nodiscard]] int run_explain(const ExplainRequest& request);
+[[nodiscard]] int run_controls(const ControlsRequest& request);
 
 } // namespace maclint::cli

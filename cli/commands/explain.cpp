@@ -1,11 +1,14 @@
-//! `maclint explain RULE`: the page of a rule or of a row, or all that a word may mean.
+//! `maclint explain RULE`: the page of a rule or a row, of a code, a variable or an alarm, or all that a word
+//! may mean.
 #include "cli/commands/commands.hpp"
 #include "cli/config/rule_words.hpp"
 #include "cli/engine/engine.hpp"
+#include "cli/report/alarm_page.hpp"
 #include "cli/report/code_page.hpp"
 #include "cli/report/exemption_page.hpp"
 #include "cli/report/row_page.hpp"
 #include "cli/report/rule_page.hpp"
+#include "cli/report/variable_page.hpp"
 #include "cli/suggest.hpp"
 #include "cli/terminal.hpp"
 #include "rules/words/row_examples.hpp"
@@ -16,6 +19,13 @@
 
 namespace maclint::cli {
 namespace {
+
+/// With an empty line between them.
+std::string joined(const std::vector<std::string>& pages) {
+    std::string text;
+    for (const std::string& page : pages) text += (text.empty() ? "" : "\n") + page;
+    return text;
+}
 
 /// The lines of a bad example at which what is selected has its findings.
 std::vector<std::uint32_t> lines_found(const Example& example, Overrides overrides) {
@@ -72,18 +82,39 @@ std::string list_of(const std::vector<NamedRule>& named) {
     return plain_list(rules, ListedRows::left_out) + heading + list_of_rows(rows) + "\n" + enumerate(counts);
 }
 
-/// The pages of a code of programs, "G860", or of a section, "FACE_C"; empty where no chapter has it.
+/// Whether pages of the language are wanted.
+bool asks_for(const ExplainRequest& request, const Dialect& dialect) {
+    const std::string_view language = find_control(dialect.default_control)->language;
+    if (request.control != nullptr && request.control->language != language) return false;
+    if (request.dialect != nullptr) return request.dialect == &dialect;
+    return language == dialect.name; // else a dialect of another's language
+}
+
+/// The pages of a code of programs, "G860", or of a section, "FACE_C", those that say the same once; empty
+/// where no chapter has it.
 std::string pages_of(const ExplainRequest& request, const PageStyle& style) {
-    std::string text;
+    std::vector<std::string> pages;
     for (const Dialect& dialect : dialects()) {
-        if (request.dialect != nullptr && request.dialect != &dialect) continue;
+        if (!asks_for(request, dialect)) continue;
         const std::string_view language = find_control(dialect.default_control)->language;
-        if (language != dialect.name && request.dialect == nullptr)
-            continue; // a dialect of another's language
-        for (const CodePage& page : pages_named(language, request.rule))
-            text += (text.empty() ? "" : "\n") + plain_code_page(page, style);
+        for (const CodePage& page : pages_named(language, request.rule)) {
+            if (request.control != nullptr && !page.is_of(*request.control)) continue;
+            std::string text = plain_code_page(page, request.control, style);
+            if (std::ranges::find(pages, text) == pages.end()) pages.push_back(std::move(text));
+        }
     }
-    return text;
+    return joined(pages);
+}
+
+/// The pages of an alarm by its number, "128", "PS0078"; empty where no list has it.
+std::string pages_of_alarm(const ExplainRequest& request, const PageStyle& style) {
+    if (request.dialect != nullptr) return {};
+    std::vector<std::string> pages;
+    const std::string_view list = request.control == nullptr ? std::string_view() : request.control->alarms;
+    if (request.control != nullptr && list.empty()) return {};
+    for (const ControlAlarm* alarm : alarms_named(request.rule, list))
+        pages.push_back(plain_alarm_page(*alarm, list, style));
+    return joined(pages);
 }
 
 /// Rows of other languages on the same code.
@@ -102,10 +133,18 @@ int run_explain(const ExplainRequest& request) {
     const PageStyle style{colour_for_output(request.colour), output_width()};
     if (const auto exemption = find_exemption(request.rule))
         return print_text(plain_exemption_page(*exemption, style));
+    if (const auto number = variable_number_in(request.rule)) {
+        const std::string pages = plain_variable_pages(*number, request.control, style);
+        if (!pages.empty()) return print_text(pages);
+    }
     const auto named = rules_meant(request.rule);
+    if (const std::string pages = pages_of_alarm(request, style); !pages.empty())
+        return print_text(pages +
+                          (named.empty() ? "" : "\nRules with that number:\n" + list_of(named) + ".\n"));
     if (const std::string pages = pages_of(request, style); !pages.empty()) {
-        const auto others =
-            request.dialect == nullptr ? of_languages_without_pages(named) : std::vector<NamedRule>();
+        const auto others = request.dialect == nullptr && request.control == nullptr
+                                ? of_languages_without_pages(named)
+                                : std::vector<NamedRule>();
         return print_text(pages +
                           (others.empty() ? "" : "\nIn other languages:\n" + list_of(others) + ".\n"));
     }
@@ -115,7 +154,10 @@ int run_explain(const ExplainRequest& request) {
     }
     if (!named.empty())
         return print_text(list_of(named) + " may be meant by '" + shown(request.rule) + "'.\n");
-    print_error("there is no rule '" + shown(request.rule) + "'." + advice_for(request.rule));
+    print_error(
+        "there is no rule" +
+        std::string(request.control == nullptr ? "" : ", and no such code or alarm of that control,") + " '" +
+        shown(request.rule) + "'." + advice_for(request.rule));
     return exit_error;
 }
 

@@ -4,6 +4,7 @@
 #include "analyzer/source/source.hpp"
 #include "cli/commands/commands.hpp"
 #include "cli/config/selection.hpp"
+#include "cli/report/alarm_page.hpp"
 #include "cli/report/code_page.hpp"
 #include "cli/report/row_page.hpp"
 #include "cli/report/rule_page.hpp"
@@ -135,6 +136,23 @@ int write_codes(const std::string& folder) {
     return exit_clean;
 }
 
+/// Writes over nothing but such a list.
+int write_alarms(const std::string& path) {
+    if (platform::kind_of(platform::path_of(path)) != platform::FileKind::missing) {
+        const auto before = Source::read_file(path);
+        const auto* source = std::get_if<Source>(&before);
+        if (source == nullptr || source->bytes().find(alarms_mark) == std::string_view::npos) {
+            print_notice({NoticeKind::unreadable, path,
+                          "this is no list that --write-alarms wrote. Name another file."});
+            return exit_error;
+        }
+    }
+    const auto failure = write_to(path, markdown_alarms());
+    if (!failure) return exit_clean;
+    print_notice(*failure);
+    return exit_error;
+}
+
 int write_docs(const std::string& folder) {
     const fs::path path = platform::path_of(folder);
     if (!take_folder(path, generated_mark, "--write-docs")) return exit_error;
@@ -150,11 +168,13 @@ int write_docs(const std::string& folder) {
 } // namespace
 
 int run_rules_command(const RulesRequest& request) {
-    if (!request.codes_folder.empty()) {
-        const int status = write_codes(request.codes_folder);
-        if (status != exit_clean || request.docs_folder.empty()) return status;
-    }
-    if (!request.docs_folder.empty()) return write_docs(request.docs_folder);
+    const bool writes =
+        !request.codes_folder.empty() || !request.docs_folder.empty() || !request.alarms_file.empty();
+    int status = exit_clean;
+    if (!request.codes_folder.empty()) status = write_codes(request.codes_folder);
+    if (status == exit_clean && !request.docs_folder.empty()) status = write_docs(request.docs_folder);
+    if (status == exit_clean && !request.alarms_file.empty()) status = write_alarms(request.alarms_file);
+    if (writes) return status;
     switch (request.format) {
     case ListFormat::text: return print_text(text_list());
     case ListFormat::json: return print_text(json_list());

@@ -2,7 +2,9 @@
 #include "cli/report/code_page.hpp"
 
 #include "analyzer/dialect/dialect.hpp"
-#include "cli/config/rule_words.hpp"
+#include "cli/report/code_watchers.hpp"
+#include "cli/report/force_words.hpp"
+#include "cli/suggest.hpp"
 #include "rules/words/row_text.hpp"
 #include "rules/words/row_values.hpp"
 #include "rules/words/rule_row.hpp"
@@ -20,90 +22,112 @@ std::string title_of(const CodePage& page) {
     return all_of(page.head->row.code) + " " + std::string(page.head->row.means);
 }
 
+/// A key with its place.
 std::string source_of(const CodePage& page, const BookLine& line) {
-    return std::string(page.book->source) + ":" + std::to_string(line.line);
+    if (!line.source.empty()) return std::string(line.source);
+    return std::string(page.book->source) + (line.line == 0 ? "" : ":" + std::to_string(line.line));
+}
+
+/// Those of the page: of lines of one manual that of the code alone, else each key once.
+std::vector<std::string> sources_of(const CodePage& page) {
+    std::vector<std::string> sources = {source_of(page, *page.head)};
+    for (const BookLine& line : page.lines)
+        if (!line.source.empty() && std::ranges::find(sources, line.source) == sources.end())
+            sources.emplace_back(line.source);
+    return sources;
 }
 
 /// "0, 1 or 2; 0 without it".
-std::string remarks_of(const BookLine& word) {
+std::string remarks_of(const BookLine& word, const ControlModel* only) {
     std::vector<std::string> remarks;
     if (has_values(word.row)) remarks.push_back(values_allowed_by(word.row));
     if (word.need == Need::sure) remarks.emplace_back("needed");
     if (word.need == Need::likely) remarks.emplace_back("needed by all that is known");
     if (word.need == Need::in_examples) remarks.emplace_back("in every example of the manual");
     if (!word.absent.empty()) remarks.push_back("without it: " + std::string(word.absent));
+    if (const std::string where = narrowed_to(word.row); only == nullptr && !where.empty())
+        remarks.push_back("only on " + where);
     std::string text;
     for (const std::string& remark : remarks) text += (text.empty() ? "" : "; ") + remark;
     return text;
-}
-
-/// Whether the row holds for the code of the page in one of its sections, or where it has no place.
-bool is_of(const CodePage& page, const RowForCode& row) {
-    if (row.table->language != page.book->language || !has_word(page.head->row.code, code_of(row)))
-        return false;
-    const std::string_view sections = row.row->sections.empty() ? row.table->sections : row.row->sections;
-    return row.row->says == RowStatement::refused || sections.empty() ||
-           has_word(sections, words_of(page.sections()).front());
-}
-
-/// What a row says of the code of a page.
-struct RowOfPage {
-    const RuleRow* rule_row;
-    std::string says;
-};
-
-std::vector<RowOfPage> rows_of(const CodePage& page) {
-    std::vector<RowOfPage> rows;
-    for (const RuleRow& rule_row : all_rule_rows())
-        for (const RowForCode& row : rule_row.rows)
-            if (is_of(page, row)) rows.push_back({&rule_row, sentence_of(row)});
-    return rows;
-}
-
-/// Rules that have the code in their names, "DIN906 g30-left-active", or the one on words of sections.
-std::vector<const Rule*> rules_named_after(const CodePage& page) {
-    std::vector<const Rule*> rules;
-    if (page.sections().empty()) return {find_rule("DIN109")};
-    for (const std::string_view code : words_of(page.head->row.code))
-        for (const auto& [rule, row] : rules_meant(std::string(code)))
-            if (row == nullptr) rules.push_back(rule);
-    return rules;
 }
 
 std::string_view language_name(std::string_view language) {
     return find_dialect(language) == nullptr ? language : find_dialect(language)->name;
 }
 
+/// Whose codes a chapter has: "dinplus", "FANUC mills", "Haas lathes, system B".
+std::string owner_of(const CodePage& page, const ControlModel* only) {
+    if (only != nullptr) return only->description + (only->machine == Machine::mill ? ", mill" : "");
+    const CodeBook& book = *page.book;
+    if (book.controls.empty() && !book.machine) return std::string(language_name(book.language));
+    std::string makers;
+    for (const ControlModel* control : controls_of(page, nullptr)) {
+        std::string maker = control->description.substr(0, control->description.find_first_of(" ,"));
+        if (!has_word(makers, maker)) makers += (makers.empty() ? "" : " ") + maker;
+    }
+    std::string owner = all_of(makers);
+    if (book.machine) owner += *book.machine == Machine::mill ? " mills" : " lathes";
+    if (!page.head->row.systems.empty()) owner += ", " + systems_in_words(page.head->row.systems);
+    return owner;
+}
+
+/// Under its group, on a control that has the code.
+std::vector<std::string> force_on(const CodePage& page, const ControlModel* only) {
+    const auto on = controls_of(page, only);
+    if (on.empty() || is_section(page)) return {};
+    return force_of(*on.front(), words_of(page.head->row.code));
+}
+
 } // namespace
 
-std::string plain_code_page(const CodePage& page, const PageStyle& style) {
+std::string plain_code_page(const CodePage& page, const ControlModel* only, const PageStyle& style) {
     PlainPage out(style);
-    out.add_title(title_of(page),
-                  std::string(language_name(page.book->language)) + ", " + std::string(page.book->chapter));
+    out.add_title(title_of(page), owner_of(page, only) + ", " + std::string(page.book->chapter));
     if (!page.sections().empty()) {
         out.add_heading("Where it may stand:");
         out.add_item(sections_in_words(page.sections()));
     }
+    if (const auto force = force_on(page, only); !force.empty()) {
+        out.add_heading("In force:");
+        for (const std::string& line : force) out.add_item(line);
+    }
     out.add_heading("Its words:");
     bool has_words = false;
     for (const BookLine& line : page.lines) {
-        if (line.kind != BookLine::Kind::word) continue;
+        if (line.kind != BookLine::Kind::word || (only != nullptr && !maclint::is_of(line, *only))) continue;
         has_words = true;
-        const std::string remarks = remarks_of(line);
+        const std::string remarks = remarks_of(line, only);
         out.add_item(std::string(line.row.words) + ": " + std::string(line.row.means) +
                      (remarks.empty() ? "" : " (" + remarks + ")"));
     }
     if (!has_words) out.add_item("none");
     out.add_heading("Rules that watch it:");
-    for (const auto& [row, says] : rows_of(page))
+    for (const auto& [row, says] : rows_watching(page, only))
         out.add_item(row->name() + (row->on_by_default() ? ": " : ", off: ") + says);
-    for (const Rule* rule : rules_named_after(page))
+    for (const Rule* rule : rules_watching(page, only))
         out.add_item(std::string(rule->code) + " " + std::string(rule->name) + ": " +
                      std::string(rule->summary) + ".");
-    out.add_heading("Source:");
-    out.add_source(source_of(page, *page.head));
+    const auto sources = sources_of(page);
+    out.add_heading(sources.size() == 1 ? "Source:" : "Sources:");
+    for (const std::string& source : sources) out.add_source(source);
     return out.take();
 }
+
+namespace {
+
+/// "In MACHINING and SUBPROGRAM; ", "On FANUC mills; ".
+std::string places_of(const CodePage& page) {
+    if (!page.sections().empty()) return "In " + sections_in_words(page.sections()) + "; ";
+    return page.book->controls.empty() ? "" : "On " + owner_of(page, nullptr) + "; ";
+}
+
+/// Whether lines of one manual are its sources.
+bool counts_lines(const CodeBook& book) {
+    return std::ranges::all_of(book.lines, [](const BookLine& line) { return line.source.empty(); });
+}
+
+} // namespace
 
 std::vector<const CodeBook*> books_of(std::string_view language) {
     std::vector<const CodeBook*> books;
@@ -116,19 +140,21 @@ std::vector<const CodeBook*> books_of(std::string_view language) {
 std::string markdown_chapter(const CodeBook& book) {
     std::string out = "# " + std::string(book.chapter) + "\n\n" + std::string(codes_mark) + "\n";
     for (const CodePage& page : pages_of(book)) {
-        out += "\n## " + title_of(page) + "\n\n" +
-               (page.sections().empty() ? "" : "In " + sections_in_words(page.sections()) + "; ") +
+        out += "\n## " + title_of(page) + "\n\n" + places_of(page) +
                shown_source(source_of(page, *page.head)) + ".\n";
+        for (const std::string& line : force_on(page, nullptr)) out += "\n- In force: " + line + ".";
         bool is_first = true;
         for (const BookLine& line : page.lines) {
             if (line.kind != BookLine::Kind::word) continue;
             if (std::exchange(is_first, false))
-                out += "\n| word | what it is | values | line |\n|---|---|---|---|\n";
+                out += "\n| word | what it is | values | " +
+                       std::string(counts_lines(book) ? "line" : "source") + " |\n|---|---|---|---|\n";
             out += "| " + std::string(line.row.words) + " | " + std::string(line.row.means) + " | " +
-                   remarks_of(line) + " | " + std::to_string(line.line) + " |\n";
+                   remarks_of(line, nullptr) + " | " +
+                   (counts_lines(book) ? std::to_string(line.line) : source_of(page, line)) + " |\n";
         }
         out += "\n";
-        for (const auto& [row, says] : rows_of(page))
+        for (const auto& [row, says] : rows_watching(page, nullptr))
             if (row->first().says != RowStatement::takes_only)
                 out += "- " + says + " `" + row->name() + "`" + (row->on_by_default() ? "" : ", off") + "\n";
     }

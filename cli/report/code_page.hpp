@@ -11,7 +11,9 @@
 
 namespace maclint::cli {
 
-[[nodiscard]] std::string plain_code_page(const CodePage& page, const PageStyle& style);
+/// `only`: as that control has it; nullptr: as all that have the code.
+[[nodiscard]] std::string plain_code_page(const CodePage& page, const ControlModel* only,
+                                          const PageStyle& style);
 
 /// The chapters of a language: that on sections first.
 [[nodiscard]] std::vector<const CodeBook*> books_of(std::string_view language);

@@ -7,6 +7,7 @@
 #include "cli/report/rule_page.hpp"
 #include "cli/report/uri.hpp"
 #include "cli/suggest.hpp"
+#include "rules/alarms/alarm_uses.hpp"
 
 #include <algorithm>
 #include <array>
@@ -131,7 +132,7 @@ class SarifWriter {
             {"artifacts", artifacts()},
             {"results", Json::array()},
             {"columnKind", "utf16CodeUnits"}};
-        if (Json all = taxonomies(); !all.empty()) run["taxonomies"] = std::move(all);
+        run["taxonomies"] = taxonomies();
         return {{"$schema", schema}, {"version", "2.1.0"}, {"runs", Json::array({std::move(run)})}};
     }
 
@@ -361,9 +362,8 @@ class SarifWriter {
                        {"notifications", std::move(notices)}};
         if (!help_base.empty()) driver["informationUri"] = help_base;
         Json supported = Json::array();
-        for (const auto& [control, alarms] : alarms_by_control())
-            supported.push_back({{"name", taxonomy_name(control)}});
-        if (!supported.empty()) driver["supportedTaxonomies"] = std::move(supported);
+        for (const std::string_view list : alarm_lists) supported.push_back({{"name", taxonomy_name(list)}});
+        driver["supportedTaxonomies"] = std::move(supported);
         return driver;
     }
 
@@ -389,47 +389,45 @@ class SarifWriter {
         for (const RuleExemption& record : rule.exemptions)
             out["properties"]["exemptions"].push_back({{"name", record.name}, {"why", record.why}});
         if (!help_base.empty()) out["helpUri"] = std::string(help_base) + "/" + page_name(rule);
-        if (!rule.alarms.empty()) out["relationships"] = relationships_of(rule);
+        if (Json related = relationships_of(rule); !related.empty())
+            out["relationships"] = std::move(related);
         return out;
     }
 
+    /// To the alarms that the rule names itself, and those that its rows do.
     [[nodiscard]] static Json relationships_of(const Rule& rule) {
-        Json list = Json::array();
-        for (const Alarm& alarm : rule.alarms)
-            list.push_back(
-                {{"target",
-                  {{"id", alarm.number}, {"toolComponent", {{"name", taxonomy_name(alarm.control)}}}}},
+        Json related = Json::array();
+        for (const AlarmName& alarm : alarms_of(rule))
+            related.push_back(
+                {{"target", {{"id", alarm.number}, {"toolComponent", {{"name", taxonomy_name(alarm.list)}}}}},
                  {"kinds", {"relevant"}}});
-        return list;
+        return related;
     }
 
     // ---- alarms as taxonomies
 
-    using Alarms = std::map<std::string_view, std::string_view>; ///< number to text
-    [[nodiscard]] static std::map<std::string_view, Alarms> alarms_by_control() {
-        std::map<std::string_view, Alarms> all;
-        for (const Rule* rule : all_rules())
-            for (const Alarm& alarm : rule->alarms) all[alarm.control].emplace(alarm.number, alarm.text);
-        return all;
+    [[nodiscard]] static std::string taxonomy_name(std::string_view list) {
+        return std::string(list) + " alarms";
     }
 
-    [[nodiscard]] static std::string taxonomy_name(std::string_view control) {
-        return std::string(control) + " alarms";
-    }
-
+    /// All alarms of the lists, also those that no rule finds.
     [[nodiscard]] static Json taxonomies() {
-        Json list = Json::array();
-        for (const auto& [control, alarms] : alarms_by_control()) {
+        Json all = Json::array();
+        for (const std::string_view list : alarm_lists) {
             Json taxa = Json::array();
-            for (const auto& [number, text] : alarms)
-                taxa.push_back({{"id", number}, {"shortDescription", text_message(sentence(text))}});
-            list.push_back({{"name", taxonomy_name(control)},
-                            {"version", MACLINT_VERSION},
-                            {"shortDescription",
-                             text_message("Alarms that the control " + std::string(control) + " raises.")},
-                            {"taxa", std::move(taxa)}});
+            for (const std::span<const ControlAlarm> table : alarm_tables())
+                for (const ControlAlarm& alarm : table)
+                    if (const std::string_view title = alarm.title_on(list); !title.empty())
+                        taxa.push_back({{"id", alarm.number},
+                                        {"shortDescription", text_message(sentence(title))},
+                                        {"fullDescription", text_message(sentence(alarm.cause))}});
+            all.push_back({{"name", taxonomy_name(list)},
+                           {"version", MACLINT_VERSION},
+                           {"shortDescription",
+                            text_message("Alarms that controls of " + std::string(list) + " raise.")},
+                           {"taxa", std::move(taxa)}});
         }
-        return list;
+        return all;
     }
 
     // ---- the run

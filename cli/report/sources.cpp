@@ -13,21 +13,20 @@ struct SourceRow {
 };
 
 // clang-format off
-constexpr std::array<SourceRow, 103> rows{{
+constexpr std::array<SourceRow, 111> rows{{
     {"SEED-001",
-     "Joni Nieminen, Parametriohjelmointi FANUC 21i-MB -ohjauksessa, thesis, Tampere 2005: "
-     "macro programming on a FANUC 21i-MB, with programs that were run on the machine. Lines "
-     "of its text"},
+     "Joni Nieminen, Parametriohjelmointi FANUC 21i-MB -ohjauksessa, thesis, Tampere 2005: macro "
+     "programming on a FANUC 21i-MB, with programs that were run on the machine. Lines of its text"},
     {"SEED-002",
-     "Article in Hungarian on the development of macro programs for the NCT 104-M, a FANUC "
-     "look-alike. Lines of its text"},
+     "Article in Hungarian on the development of macro programs for the NCT 104-M, a FANUC look-alike. "
+     "Lines of its text"},
     {"SEED-003",
-     "HEIDENHAIN, user's manual smart.Turn and DIN programming for CNC PILOT 640 and "
-     "MANUALplus 620, Finnish, edition 01/2022. Lines of its text"},
-    {"MAN-PB278",
-     "FANUC Series 16i/18i/160i/180i-PB, operator's manual B-63684EN/01, page 278"},
+     "HEIDENHAIN, user's manual smart.Turn and DIN programming for CNC PILOT 640 and MANUALplus 620, "
+     "Finnish, edition 01/2022. Lines of its text"},
     {"MAN-PB129",
      "FANUC Series 16i/18i/160i/180i-PB, operator's manual B-63684EN/01, page 129"},
+    {"MAN-PB278",
+     "FANUC Series 16i/18i/160i/180i-PB, operator's manual B-63684EN/01, page 278"},
     {"MAN-16C287",
      "FANUC Series 16/18/160/180-C for lathe, operator's manual, page 287"},
     {"NCT-9",
@@ -37,6 +36,8 @@ constexpr std::array<SourceRow, 103> rows{{
     {"NCT-173",
      "NCT 99M/2000M, programmer's manual, the page of that number"},
     {"NCT-174",
+     "NCT 99M/2000M, programmer's manual, the page of that number"},
+    {"NCT-185",
      "NCT 99M/2000M, programmer's manual, the page of that number"},
     {"NCT-188",
      "NCT 99M/2000M, programmer's manual, the page of that number"},
@@ -54,40 +55,53 @@ constexpr std::array<SourceRow, 103> rows{{
      "intelitek proMILL, manual, return from a subprogram with M99"},
     {"SINHA-EXP",
      "S. K. Sinha, CNC Programming Using Fanuc Custom Macro B, chapter on macro expressions"},
+    {"SINHA-INT",
+     "S. K. Sinha, CNC Programming Using Fanuc Custom Macro B, chapter on real and integer values"},
+    {"CNCWIKI-ARG",
+     "Articles of a CNC encyclopedia on the web: macro calls with G65, G66 and G67 and their "
+     "arguments; logical operators; custom macro B; subprograms"},
     {"CNCWIKI-CALL",
-     "Articles of a CNC encyclopedia on the web: macro calls with G65, G66 and G67; logical "
-     "operators; custom macro B; subprograms"},
+     "Articles of a CNC encyclopedia on the web: macro calls with G65, G66 and G67 and their "
+     "arguments; logical operators; custom macro B; subprograms"},
     {"CNCWIKI-LOGIC",
-     "Articles of a CNC encyclopedia on the web: macro calls with G65, G66 and G67; logical "
-     "operators; custom macro B; subprograms"},
+     "Articles of a CNC encyclopedia on the web: macro calls with G65, G66 and G67 and their "
+     "arguments; logical operators; custom macro B; subprograms"},
     {"CNCWIKI-MACB",
-     "Articles of a CNC encyclopedia on the web: macro calls with G65, G66 and G67; logical "
-     "operators; custom macro B; subprograms"},
+     "Articles of a CNC encyclopedia on the web: macro calls with G65, G66 and G67 and their "
+     "arguments; logical operators; custom macro B; subprograms"},
     {"CNCWIKI-SUB",
-     "Articles of a CNC encyclopedia on the web: macro calls with G65, G66 and G67; logical "
-     "operators; custom macro B; subprograms"},
+     "Articles of a CNC encyclopedia on the web: macro calls with G65, G66 and G67 and their "
+     "arguments; logical operators; custom macro B; subprograms"},
     {"CSDN-PS",
-     "Articles in Chinese on FANUC P/S alarms and on macro variables, written after the "
-     "manuals"},
+     "Articles in Chinese on FANUC P/S alarms and on macro variables, written after the manuals"},
     {"CSDN-VAR",
-     "Articles in Chinese on FANUC P/S alarms and on macro variables, written after the "
-     "manuals"},
+     "Articles in Chinese on FANUC P/S alarms and on macro variables, written after the manuals"},
+    {"IMD-0M",
+     "Questions and answers of an automation forum: alarm 114 and its comparisons; brackets on a 0-MC; "
+     "alarm SR5010 of a 0i-TD; the greatest Z of a probing cycle"},
     {"IMD-114",
-     "Questions and answers of an automation forum: alarm 114 and its comparisons; the "
-     "greatest Z of a probing cycle"},
+     "Questions and answers of an automation forum: alarm 114 and its comparisons; brackets on a 0-MC; "
+     "alarm SR5010 of a 0i-TD; the greatest Z of a probing cycle"},
+    {"IMD-5010",
+     "Questions and answers of an automation forum: alarm 114 and its comparisons; brackets on a 0-MC; "
+     "alarm SR5010 of a 0i-TD; the greatest Z of a probing cycle"},
     {"IMD-MAXZ",
-     "Questions and answers of an automation forum: alarm 114 and its comparisons; the "
-     "greatest Z of a probing cycle"},
-    {"IMD-UI",
-     "Article of the same forum: interface signals of FANUC, #1000 to #1015 and #1100 to #1115"},
+     "Questions and answers of an automation forum: alarm 114 and its comparisons; brackets on a 0-MC; "
+     "alarm SR5010 of a 0i-TD; the greatest Z of a probing cycle"},
+    {"TENC-SYS",
+     "Articles in Chinese on the web: the chapter on G65 of the 0i manual; system variables in use"},
+    {"CNCCI",
+     "Article on the web on macro alarms for dangerous situations"},
+    {"ERRLIB-49",
+     "Collection of alarms on the web: PS0049 of a 30i-B"},
     {"ZAPP-ARG",
      "Pages of a consultant on macro programming: argument letters and their variables"},
     {"ISORP",
-     "Linter of the macro-executor extension for Visual Studio Code by iSorp, open source: "
-     "what another linter reports"},
+     "Linter of the macro-executor extension for Visual Studio Code by iSorp, open source: what "
+     "another linter reports"},
     {"GH-ALM",
-     "Alarm list of the FANUC 30i generation in a public macro interpreter. It is not a "
-     "manual, and single entries of it are shifted"},
+     "Alarm list of the FANUC 30i generation in a public macro interpreter. It is not a manual, and "
+     "single entries of it are shifted"},
     {"CSDN-CYC",
      "Articles in Chinese on the canned cycles of FANUC mills, with the words of each, written after "
      "the manuals"},
@@ -266,9 +280,11 @@ constexpr std::array<SourceRow, 103> rows{{
      "https://cloud.tencent.com/developer/article/2035679"},
     {"SZGH-67",
      "SZGH-CNC1000MDb, a FANUC look-alike, user manual, page 54: tool offset with G45 to G48"},
+    {"IMD-UI",
+     "Article of the same forum: interface signals of FANUC, #1000 to #1015 and #1100 to #1115"},
     {"T",
-     "Experience of those who wrote the rule. No document at hand confirms it; a correction "
-     "with a document is welcome"},
+     "Experience of those who wrote the rule. No document at hand confirms it; a correction with a "
+     "document is welcome"},
     {"maclint's own",
      "maclint itself: its comments, options and limits"},
 }};

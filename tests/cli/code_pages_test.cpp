@@ -63,7 +63,7 @@ TEST_F(CodePages, AreNoneForWordsThatAreNoCodes) {
 
 TEST_F(CodePages, HoldEveryWordOfTheirCodes) {
     for (const CodePage& page : all_code_pages()) {
-        const std::string text = cli::plain_code_page(page, {});
+        const std::string text = cli::plain_code_page(page, nullptr, {});
         for (const BookLine& line : page.lines) {
             if (line.kind != BookLine::Kind::word) continue;
             EXPECT_THAT(

@@ -5,6 +5,8 @@
 #include "tests/cli/reports.hpp"
 
 #include <filesystem>
+#include <map>
+#include <set>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -108,6 +110,27 @@ TEST(Sarif, HeadsMessagesThatBeginDifferentlyWithTheRule) {
     }
     EXPECT_EQ(heading_of(*find_rule("MAC605")), ""); // all of its messages begin alike
     EXPECT_EQ(heading_of(*find_rule("MAC211")), "Argument unused: ");
+}
+
+TEST(Sarif, RelatesRulesToAlarmsOfTheirTaxonomies) {
+    HandMade made("O1.nc", "O1\n");
+    const json run = sarif_of(made);
+    std::map<std::string, std::set<std::string>> numbers; // by taxonomy
+    for (const json& taxonomy : run["taxonomies"])
+        for (const json& taxon : taxonomy["taxa"]) {
+            EXPECT_TRUE(numbers[taxonomy["name"]].insert(taxon["id"]).second) << taxon["id"];
+            EXPECT_FALSE(taxon["fullDescription"]["text"].get<std::string>().empty()) << taxon["id"];
+        }
+    ASSERT_EQ(numbers.size(), run["tool"]["driver"]["supportedTaxonomies"].size());
+    EXPECT_TRUE(numbers["FANUC 30i/0i-D alarms"].contains("1300")); // one that no rule finds
+    std::set<std::string> of_words;                                 // alarms of the rule whose rows name them
+    for (const json& rule : run["tool"]["driver"]["rules"])
+        for (const json& related : rule.value("relationships", json::array())) {
+            const json& target = related["target"];
+            EXPECT_TRUE(numbers[target["toolComponent"]["name"]].contains(target["id"])) << rule["id"];
+            if (rule["id"] == "MAC551") of_words.insert(target["id"]);
+        }
+    EXPECT_TRUE(of_words.contains("007"));
 }
 
 TEST(Sarif, NamesTheAnalysisAndNoAddressThatLeadsNowhere) {

@@ -163,7 +163,7 @@ bash ask.bash "$maclint" )sh" + words);
 TEST_F(CompletionsOfBash, OfferCommandsOptionsAndValues) {
     EXPECT_THAT(offered("maclint ex"), ElementsAre("explain"));
     EXPECT_THAT(offered("maclint --stdin"), ElementsAre("--stdin-filename"));
-    EXPECT_THAT(offered("maclint rules --w"), ElementsAre("--write-docs", "--write-codes"));
+    EXPECT_THAT(offered("maclint rules --w"), ElementsAre("--write-docs", "--write-codes", "--write-alarms"));
     EXPECT_THAT(offered("maclint rules --form"), ElementsAre("--format"));
     EXPECT_THAT(offered("maclint rules --sel"), IsEmpty());
     EXPECT_THAT(offered("maclint --format sa"), ElementsAre("sarif"));
@@ -174,6 +174,10 @@ TEST_F(CompletionsOfBash, OfferCommandsOptionsAndValues) {
                 ElementsAre("MAC301,MAC303,jump-into-loop"));
     EXPECT_THAT(offered("maclint explain jump-into-l"), ElementsAre("jump-into-loop"));
     EXPECT_THAT(offered("maclint completions z"), ElementsAre("zsh"));
+    EXPECT_THAT(offered("maclint controls fanuc-30i-lathe-"),
+                ElementsAre("fanuc-30i-lathe-b", "fanuc-30i-lathe-c"));
+    EXPECT_THAT(offered("maclint controls --format ''"), ElementsAre("text", "json"));
+    EXPECT_THAT(offered("maclint explain --control nc"), ElementsAre("nct"));
 }
 
 TEST_F(CompletionsOfBash, LeaveFilesToBash) {

@@ -23,7 +23,8 @@ constexpr std::ptrdiff_t most_lines = 125; ///< beside its includes and the prog
 /// Lists of rows are as long as there is something to say.
 bool is_list(std::string_view path) {
     return path == "rules/registry.cpp" || path.starts_with("rules/words/tables_") ||
-           path.starts_with("rules/words/dinplus/") || path.starts_with("rules/words/fanuc/");
+           path.starts_with("rules/alarms/tables_") || path.starts_with("rules/words/dinplus/") ||
+           path.starts_with("rules/words/fanuc/");
 }
 
 std::vector<ProjectFile> rule_files() {
