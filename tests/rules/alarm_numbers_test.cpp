@@ -51,6 +51,14 @@ TEST(AlarmNumbers, AreThoseOfTheSeriesThatReadsTheBlock) {
         {"#1=[#2][#3]", "MAC121 114", "MAC121 1125"},
         {"#1=ATAN[#2][#3]", "MAC121 114", "MAC121 1134"},
         {"#1=POW[#2]", "MAC121 114", "MAC121 1120"},
+        {"#1=POW[#2,]", "MAC121 114", "MAC121 1120"},
+        {"#1=POW[#2#3]", "MAC121 114", "MAC121 1134"},
+        {"#1=ATAN[#2,#3,#4]", "MAC121 114", "MAC121 1120"},
+        {"#1=SIN[#2,#3]", "MAC121 114", "MAC121 1125"},
+        {"#1 5.", "MAC121 114", "MAC121 1133"},
+        {"#1SIN[#2]", "MAC121 114", "MAC121 1133"},
+        {"M9 O100", "MAC121 ", "MAC121 1013"},
+        {"@5 G0 X1.", "MAC121 009", "MAC121 009"},
         {"#1=#2+", "MAC121 114", "MAC121 1125"},
         {"#1=#2=5", "MAC121 114", "MAC121 1125"},
         {"GOTO", "MAC121 125", "MAC121 125"},
@@ -102,6 +110,7 @@ TEST(AlarmNumbers, OfBlocksThatOnlyTheNewSeriesReads) {
     for (const auto& [block, alarm] : std::vector<std::pair<std::string, std::string>>{
              {"SETVN510[DEPTHOFCUT]", "MAC127 1142"},
              {"#3=[#WIDTHOFSLOT]/2", "MAC121 1097"},
+             {"#3=[#_ABSOLUTEPOSITIONOFTHEFIRSTAXIS]", "MAC121 1097"},
              {"M9 N80", "MAC465 1013"},
          })
         EXPECT_THAT(alarms_of_block(block, "fanuc-30i"), Contains(alarm)) << block;

@@ -5,6 +5,7 @@
 #include "analyzer/dialect/fanuc/lexer.hpp"
 #include "analyzer/program/syntax_error.hpp"
 
+#include <algorithm>
 #include <cstddef>
 #include <span>
 #include <string>
@@ -58,8 +59,10 @@ class BlockTokens {
     }
 
     [[nodiscard]] SyntaxError error(Span span, std::string expected, std::string_view fault) const {
-        SyntaxError error{SyntaxErrorKind::unreadable, span,
-                          std::string(text_.substr(span.begin, span.length())), std::move(expected)};
+        constexpr std::size_t longest_shown = 60;
+        std::string subject(text_.substr(span.begin, std::min<std::size_t>(span.length(), longest_shown)));
+        if (span.length() > longest_shown) subject += "...";
+        SyntaxError error{SyntaxErrorKind::unreadable, span, std::move(subject), std::move(expected)};
         error.fault = fault;
         return error;
     }

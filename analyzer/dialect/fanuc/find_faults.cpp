@@ -19,6 +19,12 @@ bool is_operand_end(const BlockTokens& tokens, std::size_t i) {
     return tokens.is(i, Kind::close) || tokens.is(i, Kind::variable) || tokens.is(i, Kind::number);
 }
 
+/// Whether the bracket opens the arguments of a function that has two.
+bool takes_two(const BlockTokens& tokens, std::size_t open) {
+    const std::string function = open == 0 ? std::string() : tokens.capitals(open - 1);
+    return function.ends_with("ATAN") || function.ends_with("POW");
+}
+
 /// Signs that mean something at other places: the mark of the tape, the end of a comment.
 constexpr std::string_view meant_elsewhere = "%)";
 
@@ -55,7 +61,8 @@ std::optional<SyntaxError> find_misplaced_program_number(std::string_view text,
         if (tokens.capitals(i) != "O" || !is_operand_end(tokens, i - 1)) continue;
         if (!tokens.is(i + 1, Kind::number) || !tokens.touch(i)) continue;
         const std::string_view number = tokens.written(i + 1);
-        if (number.size() < digits_of_program || !std::ranges::all_of(number, is_digit)) continue;
+        if (!std::ranges::all_of(number, is_digit)) continue;
+        if (number.size() < digits_of_program && tokens.touch(i - 1)) continue; // a letter for the figure 0
         return tokens.error(join(tokens.span(i), tokens.span(i + 1)),
                             "a program number at the head of a block", faults::number_misplaced);
     }
@@ -68,7 +75,9 @@ std::optional<SyntaxError> find_missing_equals(std::string_view text, std::span<
     const std::size_t next = tokens.after_variable(first);
     if (next == first || next >= tokens.size()) return std::nullopt;
     const bool goes_on = tokens.is(next, Kind::sign) || tokens.is(next, Kind::operation) ||
-                         tokens.is(next, Kind::open) || is_operator_word(tokens.capitals(next));
+                         tokens.is(next, Kind::open) || tokens.is(next, Kind::number) ||
+                         tokens.is(next, Kind::variable) || is_operator_word(tokens.capitals(next)) ||
+                         is_function(tokens.capitals(next));
     // `#1+2=5`: something is stored, but not in a variable.
     if (!goes_on || std::ranges::find(block, Kind::equals, &Token::kind) != block.end()) return std::nullopt;
     const Span variable = join(tokens.span(first), tokens.span(next - 1));
@@ -85,10 +94,12 @@ std::optional<SyntaxError> find_missing_operator(std::string_view text, std::spa
         if (tokens.is(i, Kind::equals)) calculates = true;
         const bool begins = tokens.is(i, Kind::open) || tokens.is(i, Kind::variable);
         if (i > 0 && begins && (calculates || !open.empty()) && is_operand_end(tokens, i - 1)) {
-            const bool second_argument = tokens.is(i - 1, Kind::close) && last_opened > 0 &&
-                                         tokens.capitals(last_opened - 1).ends_with("ATAN");
-            return second_argument
-                       ? tokens.error(tokens.span(i), "'/' between the arguments of ATAN", faults::no_comma)
+            const std::size_t list = tokens.is(i - 1, Kind::close) ? last_opened
+                                     : open.empty()                ? 0
+                                                                   : open.back();
+            return takes_two(tokens, list)
+                       ? tokens.error(tokens.span(i), "',' or '/' before the second argument",
+                                      faults::no_comma)
                        : tokens.error(tokens.span(i), "an operator before it", faults::expression);
         }
         if (tokens.is(i, Kind::open)) open.push_back(i);
@@ -126,9 +137,15 @@ std::optional<SyntaxError> find_output_fault(std::string_view text, std::span<co
 
 std::optional<SyntaxError> find_foreign_character(std::string_view text, std::span<const Token> block) {
     const BlockTokens tokens(text, block);
-    for (std::size_t i = 0; i < tokens.size(); ++i)
-        if (tokens.is(i, Kind::other) && meant_elsewhere.find(tokens.written(i)) == std::string_view::npos)
-            return tokens.error(tokens.span(i), "", faults::character);
+    const auto is_foreign = [&](std::size_t i) {
+        return tokens.is(i, Kind::other) && meant_elsewhere.find(tokens.written(i)) == std::string_view::npos;
+    };
+    for (std::size_t i = 0; i < tokens.size(); ++i) {
+        if (!is_foreign(i)) continue;
+        std::size_t last = i; // a character may have several bytes
+        while (is_foreign(last + 1) && tokens.touch(last)) ++last;
+        return tokens.error(join(tokens.span(i), tokens.span(last)), "", faults::character);
+    }
     return std::nullopt;
 }
 

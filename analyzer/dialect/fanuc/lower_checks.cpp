@@ -44,7 +44,7 @@ void BlockLowering::check_tokens() {
         case Kind::letter_o_word: check_letter_o(node); break;
         case Kind::literal_word:
         case Kind::address:
-            if (text(node).front() == '&')
+            if (text(node).front() == '&' || text(node).front() == '@')
                 refuse_form({span(node).begin, span(node).begin + 1}, "", faults::character);
             break;
         case Kind::variable:

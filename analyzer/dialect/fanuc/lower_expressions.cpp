@@ -226,13 +226,14 @@ ExpressionId BlockLowering::lower_function(const Node& node) {
     check_function(text(*name), operands.size(), divisor != nullptr, span(node));
     if (divisor != nullptr) operands.push_back(lower_expression(*divisor));
     Operation operation = find(functions(), text(*name));
-    if (operation == Operation::power && operands.size() != 2)
-        refuse_form(span(node), "two values in the [ ] of POW, with a comma between them", faults::argument);
     if (operation == Operation::arc_tangent && operands.size() == 2)
         operation = Operation::arc_tangent_of_two;
     const std::size_t wanted =
         operation == Operation::arc_tangent_of_two || operation == Operation::power ? 2 : 1;
-    if (operands.size() != wanted) operation = Operation::unknown;
+    if (operands.size() != wanted) {
+        check_count(node, operation);
+        operation = Operation::unknown;
+    }
     return apply(operation, operands, span(node));
 }
 

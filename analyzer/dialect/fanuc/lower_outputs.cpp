@@ -15,6 +15,8 @@ namespace {
 
 /// Of a name that SETVN gives, without its `#` [GH-ALM 1142].
 constexpr std::size_t longest_name = 8;
+/// Of one that the control has [T: they are much shorter].
+constexpr std::size_t longest_system_name = 16;
 
 } // namespace
 
@@ -54,9 +56,12 @@ void BlockLowering::check_names(const Node& naming) {
 /// `[#NAME]`; names of the control itself begin with `#_`.
 void BlockLowering::check_name(const Node& variable) {
     const Node* name = child(variable, Field::name);
-    if (name == nullptr || kind_of(*name) != Kind::user_name) return;
-    if (without_blanks(text(*name)).size() - 1 > longest_name)
+    if (name == nullptr) return;
+    const std::size_t length = without_blanks(text(*name)).size() - 1;
+    if (kind_of(*name) == Kind::user_name && length > longest_name)
         refuse_form(span(variable), "a name of eight characters or less", faults::long_variable_name);
+    if (kind_of(*name) == Kind::system_name && length > longest_system_name)
+        refuse_form(span(variable), "a name that the control has", faults::long_variable_name);
 }
 
 /// `#1=1234567890`
@@ -67,6 +72,14 @@ void BlockLowering::check_digits(const Node& number) {
     if (first == std::string_view::npos) return;
     if (std::ranges::count_if(written.substr(first), is_digit) > most)
         refuse_form(span(number), "a number of eight figures or less", faults::digits);
+}
+
+/// `POW[#1]`, `SIN[#1,#2]`: a function with more or fewer arguments than it takes.
+void BlockLowering::check_count(const Node& function, Operation operation) {
+    if (operation == Operation::unknown) return;
+    const bool two = operation == Operation::power || operation == Operation::arc_tangent;
+    refuse_form(span(function), two ? "two values, with a comma between them" : "one value in the [ ]",
+                two ? faults::argument : faults::expression);
 }
 
 /// A form that has no kind of its own; the control's table has the last word.

@@ -119,6 +119,7 @@ class BlockLowering : private TreeLowering {
     void check_names(const Node& naming);
     void check_name(const Node& variable);
     void check_digits(const Node& number);
+    void check_count(const Node& function, Operation operation);
     void refuse_form(Span span, std::string expected, std::string_view fault);
 
     // ---- the tree

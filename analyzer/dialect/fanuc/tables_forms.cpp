@@ -64,6 +64,7 @@ constexpr FaultForm fault_rows[] = {
     {faults::character,            {quiet, stops, stops, stops, stops, quiet, quiet, quiet}, "CSDN-PS 009; GH-ALM 009; T: &F2 is a word of some lathes"},
     {faults::block_number_misplaced,     {doubt, doubt, doubt, stops, stops, stops, quiet, quiet}, "NCT-173, NCT-188: N stands first; T: alarm 1013"},
     {faults::digits,               {quiet, stops, stops, quiet, quiet, quiet, quiet, quiet}, "CSDN-PS 003: eight figures"},
+    {faults::expression,           {stops, stops, stops, stops, stops, quiet, quiet, quiet}, "IMD-114; GH-ALM 1125"},
     {faults::argument,             {stops, stops, stops, stops, stops, quiet, quiet, quiet}, "GH-ALM 1120"},
     {faults::output_form,          {stops, stops, stops, stops, stops, quiet, quiet, quiet}, "GH-ALM 1143"},
     {faults::long_name,            {quiet, quiet, quiet, stops, stops, quiet, quiet, quiet}, "GH-ALM 1142"},
