@@ -8,6 +8,7 @@ constexpr std::string_view no_sequence_number = "no-sequence-number", if_form = 
                            while_form = "while-form", ///< of a condition, or of what follows it
     argument = "argument",                            ///< of ATAN or POW
     digits = "digits",                                ///< of a number in a calculation
+    suffix = "suffix",                                ///< of `[#_ABSMT[1]]`
     long_variable_name = "long-variable-name";        ///< `[#NAME]`
 
 // Those which a rule of its own tells.

@@ -280,8 +280,8 @@ constexpr std::array<SourceRow, 111> rows{{
      "https://cloud.tencent.com/developer/article/2035679"},
     {"SZGH-67",
      "SZGH-CNC1000MDb, a FANUC look-alike, user manual, page 54: tool offset with G45 to G48"},
-    {"IMD-UI",
-     "Article of the same forum: interface signals of FANUC, #1000 to #1015 and #1100 to #1115"},
+    {"IMD-IO",
+     "Article of an automation forum: interface signals of FANUC, #1000 to #1015 and #1100 to #1115"},
     {"T",
      "Experience of those who wrote the rule. No document at hand confirms it; a correction with a "
      "document is welcome"},

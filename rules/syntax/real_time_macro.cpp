@@ -39,7 +39,7 @@ M30
 )nc"}},
     .alarms = {{"FANUC 30i/0i-D", "402", "ILLEGAL TOKEN FOR RTM", true, "real-time-token"},
                {"FANUC 30i/0i-D", "403", "ACCESS TO RTM PROTECT VAR", true, "real-time-variable"},
-               {"FANUC 30i/0i-D", "407", "DOUBLE SLASH IN RTM MODE", true, "real-time-slashes"},
+               {"FANUC 30i/0i-D", "407", "DOULE SLASH IN RTM MODE", true, "real-time-slashes"},
                {"FANUC 30i/0i-D", "408", "G90 IS NOT PERMITTED", true, "real-time-absolute"},
                {"FANUC 30i/0i-D", "412", "ILLEGAL G CODE", true, "real-time-code"},
                {"FANUC 30i/0i-D", "413", "ILLEGAL ADDRESS", true, "real-time-address"},

@@ -72,6 +72,7 @@ M30
                {"FANUC 30i/0i-D", "1014", "ILLEGAL FORMAT OF PROGRAM NO.", true,
                 "no-program-number no-sequence-number"},
                {"FANUC 30i/0i-D", "1097", "TOO LONG VARIABLE NAME", true, "long-variable-name"},
+               {"FANUC 30i/0i-D", "1099", "ILLEGAL SUFFIX [ ]", true, "suffix"},
                {"FANUC 30i/0i-D", "1120", "ILLEGAL ARGUMENT FORMAT", true, "argument"},
                {"FANUC 30i/0i-D", "1125", "ILLEGAL EXPRESSION FORMAT", true, "expression"},
                {"FANUC 30i/0i-D", "1133", "MISSING '='", true, "no-equals"},

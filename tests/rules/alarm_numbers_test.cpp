@@ -110,11 +110,14 @@ TEST(AlarmNumbers, OfBlocksThatOnlyTheNewSeriesReads) {
     for (const auto& [block, alarm] : std::vector<std::pair<std::string, std::string>>{
              {"SETVN510[DEPTHOFCUT]", "MAC127 1142"},
              {"#3=[#WIDTHOFSLOT]/2", "MAC121 1097"},
+             {"#3=[#_ABSMT]", "MAC121 1099"},
+             {"#3=[#_ABSIO[99]]", "MAC121 1099"},
              {"#3=[#_ABSOLUTEPOSITIONOFTHEFIRSTAXIS]", "MAC121 1097"},
              {"M9 N80", "MAC465 1013"},
          })
         EXPECT_THAT(alarms_of_block(block, "fanuc-30i"), Contains(alarm)) << block;
     EXPECT_THAT(alarms_of_block("SETVN510[DEPTHOFCUT]", "fanuc-16i"), IsEmpty());
+    EXPECT_THAT(alarms_of_block("G0 X[#_ABSMT[1]]", "fanuc-30i"), IsEmpty());
     EXPECT_THAT(alarms_of_block("M9 N80", "fanuc-16i"), ElementsAre("MAC465 "));
 }
 

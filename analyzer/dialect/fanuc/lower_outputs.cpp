@@ -3,10 +3,13 @@
 #include "analyzer/dialect/characters.hpp"
 #include "analyzer/dialect/fanuc/lowering.hpp"
 #include "analyzer/dialect/fanuc/tables.hpp"
+#include "analyzer/dialect/numbers.hpp"
 #include "analyzer/program/faults.hpp"
 
 #include <algorithm>
 #include <cstddef>
+#include <cstdint>
+#include <iterator>
 #include <string>
 #include <vector>
 
@@ -15,6 +18,9 @@ namespace {
 
 /// Of a name that SETVN gives, without its `#` [GH-ALM 1142].
 constexpr std::size_t longest_name = 8;
+/// Positions, one for each axis [GH-ALM 1099; T: their names].
+constexpr std::string_view positions[] = {"#_ABSIO", "#_ABSMT", "#_ABSOT", "#_ABSKP"};
+constexpr std::int64_t most_axes = 40;
 /// Of one that the control has [T: they are much shorter].
 constexpr std::size_t longest_system_name = 16;
 
@@ -62,6 +68,12 @@ void BlockLowering::check_name(const Node& variable) {
         refuse_form(span(variable), "a name of eight characters or less", faults::long_variable_name);
     if (kind_of(*name) == Kind::system_name && length > longest_system_name)
         refuse_form(span(variable), "a name that the control has", faults::long_variable_name);
+    const std::string written = without_blanks(text(*name));
+    if (std::ranges::find(positions, written) == std::end(positions)) return;
+    const Node* axis = child(variable, Field::index);
+    const auto number = axis == nullptr || kind_of(*axis) != Kind::number ? std::nullopt : read_integer(text(*axis));
+    if (axis == nullptr || (number && (*number < 1 || *number > most_axes)))
+        refuse_form(span(variable), "the number of an axis in [ ] behind the name", faults::suffix);
 }
 
 /// `#1=1234567890`

@@ -75,7 +75,8 @@ class Statement {
     [[nodiscard]] std::optional<SyntaxError> fault_of_variable(std::size_t i) const {
         if (!tokens_.is(i, Kind::variable) || !tokens_.is(i + 1, Kind::equals)) return std::nullopt;
         const auto number = read_integer(tokens_.written(i));
-        if (!number || !is_protected(control_, *number)) return std::nullopt;
+        const VariableRange* range = number ? control_.families[numbered].find(*number) : nullptr;
+        if (range == nullptr || range->on_write != OnWrite::forbidden) return std::nullopt;
         return tokens_.error(tokens_.span(i), "a variable that can be written", faults::real_time_variable);
     }
 

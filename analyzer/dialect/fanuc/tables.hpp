@@ -55,8 +55,6 @@ constexpr std::array<std::int32_t, 26> local_of_letter{1, 2, 3, 7, 8, 9, 0, 11, 
 [[nodiscard]] bool program_word_holds_repeats(const ControlModel& control);
 /// Whether `#30003.036` is a variable.
 [[nodiscard]] bool has_variables_with_decimals(const ControlModel& control);
-/// Whether the control stops where the program stores something in `#number`.
-[[nodiscard]] bool is_protected(const ControlModel& control, std::int64_t number);
 /// Whether an I between address and value makes it incremental: `ZI5`.
 [[nodiscard]] bool has_incremental_words(const ControlModel& control);
 /// Whether `M99 P10` goes to N10 of its own program, and to none of a caller.

@@ -68,6 +68,7 @@ constexpr FaultForm fault_rows[] = {
     {faults::argument,             {stops, stops, stops, stops, stops, quiet, quiet, quiet}, "GH-ALM 1120"},
     {faults::output_form,          {stops, stops, stops, stops, stops, quiet, quiet, quiet}, "GH-ALM 1143"},
     {faults::long_name,            {quiet, quiet, quiet, stops, stops, quiet, quiet, quiet}, "GH-ALM 1142"},
+    {faults::suffix,               {quiet, quiet, quiet, stops, stops, quiet, quiet, quiet}, "GH-ALM 1099"},
     {faults::long_variable_name,   {quiet, quiet, quiet, stops, stops, quiet, quiet, quiet}, "GH-ALM 1097, 1142"},
 };
 // clang-format on
