@@ -117,16 +117,6 @@ std::string pages_of_alarm(const ExplainRequest& request, const PageStyle& style
     return joined(pages);
 }
 
-/// Rows of other languages on the same code.
-std::vector<NamedRule> of_languages_without_pages(std::vector<NamedRule> named) {
-    std::erase_if(named, [](const NamedRule& one) {
-        return one.row == nullptr || std::ranges::any_of(one.row->rows, [](const RowForCode& entry) {
-                   return has_all_codes(entry.table->language);
-               });
-    });
-    return named;
-}
-
 } // namespace
 
 int run_explain(const ExplainRequest& request) {
@@ -141,13 +131,7 @@ int run_explain(const ExplainRequest& request) {
     if (const std::string pages = pages_of_alarm(request, style); !pages.empty())
         return print_text(pages +
                           (named.empty() ? "" : "\nRules with that number:\n" + list_of(named) + ".\n"));
-    if (const std::string pages = pages_of(request, style); !pages.empty()) {
-        const auto others = request.dialect == nullptr && request.control == nullptr
-                                ? of_languages_without_pages(named)
-                                : std::vector<NamedRule>();
-        return print_text(pages +
-                          (others.empty() ? "" : "\nIn other languages:\n" + list_of(others) + ".\n"));
-    }
+    if (const std::string pages = pages_of(request, style); !pages.empty()) return print_text(pages);
     if (named.size() == 1) {
         const auto& [rule, row] = named.front();
         return print_text(row == nullptr ? page_of(*rule, style) : page_of(*row, style));

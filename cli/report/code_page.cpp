@@ -103,11 +103,14 @@ std::string plain_code_page(const CodePage& page, const ControlModel* only, cons
     }
     if (!has_words) out.add_item("none");
     out.add_heading("Rules that watch it:");
-    for (const auto& [row, says] : rows_watching(page, only))
+    const auto rows = rows_watching(page, only);
+    const auto rules = rules_watching(page, only);
+    for (const auto& [row, says] : rows)
         out.add_item(row->name() + (row->on_by_default() ? ": " : ", off: ") + says);
-    for (const Rule* rule : rules_watching(page, only))
+    for (const Rule* rule : rules)
         out.add_item(std::string(rule->code) + " " + std::string(rule->name) + ": " +
                      std::string(rule->summary) + ".");
+    if (rows.empty() && rules.empty()) out.add_item("none");
     const auto sources = sources_of(page);
     out.add_heading(sources.size() == 1 ? "Source:" : "Sources:");
     for (const std::string& source : sources) out.add_source(source);
@@ -142,7 +145,9 @@ std::string markdown_chapter(const CodeBook& book) {
     for (const CodePage& page : pages_of(book)) {
         out += "\n## " + title_of(page) + "\n\n" + places_of(page) +
                shown_source(source_of(page, *page.head)) + ".\n";
-        for (const std::string& line : force_on(page, nullptr)) out += "\n- In force: " + line + ".";
+        std::string force;
+        for (const std::string& line : force_on(page, nullptr)) force += (force.empty() ? "" : "; ") + line;
+        if (!force.empty()) out += "\nIn force: " + force + ".\n";
         bool is_first = true;
         for (const BookLine& line : page.lines) {
             if (line.kind != BookLine::Kind::word) continue;

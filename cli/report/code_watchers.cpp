@@ -72,7 +72,11 @@ std::vector<const Rule*> rules_watching(const CodePage& page, const ControlModel
     const auto on = controls_of(page, only);
     for (const Rule* rule : all_rules()) {
         const auto speaks = [&](std::string_view code) {
-            return mentions_code(rule->summary, code) || mentions_code(in_upper_case(rule->name), code);
+            return mentions_code(rule->summary, code) || mentions_code(rule->why, code) ||
+                   mentions_code(in_upper_case(rule->name), code) ||
+                   std::ranges::any_of(rule->messages, [&](const Message& message) {
+                       return mentions_code(message.text, code) || mentions_code(message.cure, code);
+                   });
         };
         if (std::ranges::any_of(words_of(page.head->row.code), speaks) &&
             std::ranges::any_of(on, [&](const ControlModel* control) { return applies_to(*rule, *control); }))

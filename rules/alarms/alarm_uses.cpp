@@ -2,33 +2,42 @@
 #include "rules/alarms/alarm_uses.hpp"
 
 #include <algorithm>
+#include <map>
+#include <utility>
 
 namespace maclint {
 namespace {
 
-bool names(const WordRow& row, const AlarmName& alarm) {
-    return std::ranges::any_of(row.alarms, [&](const RowAlarm& own) {
-        return own.control == alarm.list && own.number == alarm.number;
-    });
+using Uses = std::map<std::pair<std::string_view, std::string_view>, std::vector<AlarmUse>>;
+
+/// The rule's entry among the uses of an alarm; rules come in their order, each with all of its rows.
+AlarmUse& entry_of(Uses& uses, std::string_view list, std::string_view number, const Rule& rule) {
+    std::vector<AlarmUse>& all = uses[{list, number}];
+    if (all.empty() || all.back().rule != &rule) all.push_back({&rule, {}});
+    return all.back();
+}
+
+Uses find_uses() {
+    Uses uses;
+    for (const Rule* rule : all_rules()) {
+        for (const Alarm& alarm : rule->alarms) entry_of(uses, alarm.control, alarm.number, *rule);
+        for (const RuleRow& row : rows_of(*rule))
+            for (const RowForCode& entry : row.rows)
+                for (const RowAlarm& alarm : entry.row->alarms) {
+                    if (alarm.number.empty()) continue;
+                    auto& rows = entry_of(uses, alarm.control, alarm.number, *rule).rows;
+                    if (rows.empty() || rows.back() != &row) rows.push_back(&row);
+                }
+    }
+    return uses;
 }
 
 } // namespace
 
-std::vector<AlarmUse> uses_of(std::string_view list, std::string_view number) {
-    const AlarmName wanted{list, number};
-    std::vector<AlarmUse> uses;
-    for (const Rule* rule : all_rules()) {
-        AlarmUse use{rule, {}};
-        for (const RuleRow& row : rows_of(*rule))
-            if (std::ranges::any_of(row.rows,
-                                    [&](const RowForCode& entry) { return names(*entry.row, wanted); }))
-                use.rows.push_back(&row);
-        const bool is_named = std::ranges::any_of(rule->alarms, [&](const Alarm& alarm) {
-            return AlarmName{alarm.control, alarm.number} == wanted;
-        });
-        if (is_named || !use.rows.empty()) uses.push_back(std::move(use));
-    }
-    return uses;
+std::span<const AlarmUse> uses_of(std::string_view list, std::string_view number) {
+    static const Uses uses = find_uses();
+    const auto found = uses.find({list, number});
+    return found == uses.end() ? std::span<const AlarmUse>() : std::span(found->second);
 }
 
 std::vector<AlarmName> alarms_of(const Rule& rule) {

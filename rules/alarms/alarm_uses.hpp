@@ -4,6 +4,7 @@
 #include "rules/alarms/alarm.hpp"
 #include "rules/words/rule_row.hpp"
 
+#include <span>
 #include <string_view>
 #include <vector>
 
@@ -16,7 +17,7 @@ struct AlarmUse {
 };
 
 /// Those that find what brings the alarm of a list, in the order of their codes.
-[[nodiscard]] std::vector<AlarmUse> uses_of(std::string_view list, std::string_view number);
+[[nodiscard]] std::span<const AlarmUse> uses_of(std::string_view list, std::string_view number);
 
 /// An alarm by its list and number.
 struct AlarmName {

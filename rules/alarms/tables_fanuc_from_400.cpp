@@ -143,15 +143,17 @@ std::span<const ControlAlarm> fanuc_from_400() {
     {"3000+n", {"the text of the program", "the text of the program"}, both,
      "the program itself: #3000=n shows 3000+n, or n, by parameter 6008", program, sometimes, partly, "CNCCI; T"},
     {"5010", {"END OF RECORD", "END OF RECORD"}, both,
-     "program ended without M30/M02/M99 (or % inside a block)", program, always, partly, "IMD-5010; T"},
+     "program ended without M30/M02/M99 (or % inside a block)", program, always, partly, "IMD-5010; T; GH-ALM"},
     {"5043", {"", "TOO MANY G68 NESTING"}, both,
      "three or more G68", program, sometimes, memory, "T"},
     {"5044", {"", "G68 FORMAT ERROR"}, both,
      "I/J/K/R word missing or wrong in G68 3-D rotation", program, always, memory, "T"},
     {"5073", {"NO DECIMAL POINT", "NO DECIMAL POINT"}, both,
-     "address that must have a point has none (when 3403#5-type checks are on)", program, sometimes, memory, "T"},
+     "address that must have a point has none (when 3403#5-type checks are on)", program, sometimes, partly, "T; GH-ALM"},
     {"5074", {"ADDRESS DUPLICATION ERROR", "ADDRESS DUPLICATION ERROR"}, both,
-     "same address twice in a block, or two G codes of one group (parameter 3403#6)", program, always, memory, "T"},
+     "same address twice in a block, or two G codes of one group (parameter 3403#6)", program, always, partly, "T; GH-ALM"},
+    {"5457", {"", "G68.2 FORMAT ERROR"}, both,
+     "G68.2 with an origin of which a part is missing", program, sometimes, partly, "F30T-4; T"},
     };
     // clang-format on
     return rows;

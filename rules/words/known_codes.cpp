@@ -6,6 +6,10 @@
 
 #include <algorithm>
 #include <array>
+#include <map>
+#include <mutex>
+#include <string>
+#include <utility>
 
 namespace maclint {
 namespace {
@@ -58,9 +62,7 @@ void for_each_unknown(const ControlModel& control, const Visit& visit) {
         if (own.program == not_fitted) visit(own.letter, static_cast<std::size_t>(own.number));
 }
 
-} // namespace
-
-std::vector<LetterCodes> codes_to_look_at(const ControlModel& control) {
+std::vector<LetterCodes> find_codes(const ControlModel& control) {
     std::array<LetterCodes, 2> found{{{'G', {}}, {'M', {}}}};
     std::array<bool, 2> any{};
     const auto at = [](char letter) { return letter == 'G' ? 0U : 1U; };
@@ -80,7 +82,7 @@ std::vector<LetterCodes> codes_to_look_at(const ControlModel& control) {
     return wanted;
 }
 
-syntax::CodeSet kinds_to_look_at(const ControlModel& control) {
+syntax::CodeSet kinds_of_codes(const ControlModel& control) {
     syntax::CodeSet kinds;
     for_each_unknown(control, [&](char letter, std::size_t code) {
         kinds.add(syntax::CodeSet::kind_of(letter == 'G' ? 0 : 1, code));
@@ -90,6 +92,23 @@ syntax::CodeSet kinds_to_look_at(const ControlModel& control) {
             for (std::size_t code = 0; code < syntax::CodeSet::capacity; ++code)
                 kinds.add(syntax::CodeSet::kind_of(letter == 'G' ? 0 : 1, code));
     return kinds;
+}
+
+std::shared_ptr<const CodesToLookAt> find(const ControlModel& control) {
+    return std::make_shared<const CodesToLookAt>(CodesToLookAt{find_codes(control), kinds_of_codes(control)});
+}
+
+} // namespace
+
+std::shared_ptr<const CodesToLookAt> codes_to_look_at(const ControlModel& control) {
+    if (!control.own_codes.empty()) return find(control);
+    // Many programs are for the same few controls; one that a shop has named has the codes of its model.
+    static std::mutex mutex;
+    static std::map<std::pair<std::string, bool>, std::shared_ptr<const CodesToLookAt>> known;
+    const std::scoped_lock lock(mutex);
+    auto& found = known[{control.name, control.assumed}];
+    if (found == nullptr) found = find(control);
+    return found;
 }
 
 } // namespace maclint

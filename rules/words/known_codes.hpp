@@ -5,6 +5,7 @@
 #include "analyzer/syntax/plain_tables.hpp"
 
 #include <cstdint>
+#include <memory>
 #include <vector>
 
 namespace maclint {
@@ -21,10 +22,14 @@ enum class CodeStanding : std::uint8_t {
 
 [[nodiscard]] CodeStanding standing_of(const ControlModel& control, char letter, double code);
 
-/// Codes of which one may not be known, for lines of plain blocks; of codes with a digit behind their point
-/// only those whose whole number is none either. Empty: all are known.
-[[nodiscard]] std::vector<LetterCodes> codes_to_look_at(const ControlModel& control);
-/// The kinds of these codes.
-[[nodiscard]] syntax::CodeSet kinds_to_look_at(const ControlModel& control);
+struct CodesToLookAt {
+    /// Of which one may not be known; of codes with a digit behind their point only those whose whole number
+    /// is none either. Empty: all are known.
+    std::vector<LetterCodes> codes;
+    syntax::CodeSet kinds; ///< of these
+};
+
+/// For lines of plain blocks. May be asked on several threads.
+[[nodiscard]] std::shared_ptr<const CodesToLookAt> codes_to_look_at(const ControlModel& control);
 
 } // namespace maclint

@@ -12,7 +12,6 @@
 #include <algorithm>
 #include <string_view>
 #include <variant>
-#include <vector>
 
 namespace maclint::rules {
 
@@ -48,6 +47,14 @@ MACHINING
 N1 G0 X80 Z5
 N2 G27 X5
 END
+)nc"},
+            {"fanuc", R"nc(
+%
+O1000 (PLATE)
+G90 G54
+G06 X20. Y10.
+M30
+%
 )nc"}},
     .good = {{"dinplus", R"nc(
 %TULO.NC
@@ -55,7 +62,17 @@ MACHINING
 N1 G0 X80 Z5
 N2 G26 S2000
 END
+)nc"},
+             {"fanuc", R"nc(
+%
+O1000 (PLATE)
+G90 G54
+G00 X20. Y10.
+M30
+%
 )nc"}},
+    .alarms = {{"FANUC 16i/18i/21i", "010", "IMPROPER G-CODE", false},
+               {"FANUC 30i/0i-D", "010", "IMPROPER G-CODE", false}},
     .sources = {"SEED-003:9940-10160", "CSDN-PS", "T: chapters of the manuals are complete"},
     .check = &check,
 };
@@ -100,14 +117,14 @@ void look_at(const ProgramAnalysis& analysis, const BlockView& block, std::span<
 
 void check(const ProgramAnalysis& analysis, Reporter& reporter) {
     const Program& program = analysis.program();
-    const std::vector<LetterCodes> unknown = codes_to_look_at(analysis.control());
-    if (unknown.empty()) return;
-    const syntax::CodeSet kinds = kinds_to_look_at(analysis.control());
+    const auto unknown = codes_to_look_at(analysis.control());
+    if (unknown->codes.empty()) return;
     const Slice all{0, static_cast<Id>(program.items.size())};
     for_each_block_with_words(
         program, all,
         [&](const PlainRun& run, const auto& take) {
-            if (run.words.codes.meets(kinds)) for_each_line_with(unknown, program.text, run.span, take);
+            if (run.words.codes.meets(unknown->kinds))
+                for_each_line_with(unknown->codes, program.text, run.span, take);
         },
         [](const WordSummary&) { return true; },
         [&](const BlockView& block, std::span<const Word> words, const WordSummary*) {

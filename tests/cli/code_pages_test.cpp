@@ -45,12 +45,31 @@ TEST_F(CodePages, TellOfSections) {
                           HasSubstr("DIN109 section-parameter"), Not(HasSubstr("Where it may stand"))));
 }
 
-TEST_F(CodePages, StandBesideTheRowsOfOtherLanguages) {
+TEST_F(CodePages, AreThoseOfEveryLanguageMachineAndMaker) {
     EXPECT_THAT(run({"explain", "G83"}).out,
-                AllOf(StartsWith("G83 "), HasSubstr("\nIn other languages:\n    MAC523/G83.Q")));
-    EXPECT_THAT(run({"explain", "G83", "--dialect", "dinplus"}).out, Not(HasSubstr("In other languages")));
+                AllOf(HasSubstr("(dinplus, "), HasSubstr("(FANUC mills, canned cycles of mills)"),
+                      HasSubstr("(FANUC lathes, "), HasSubstr("(Haas mills, "), HasSubstr("MAC523/G83.Q")));
+    EXPECT_THAT(run({"explain", "G83", "--dialect", "dinplus"}).out, Not(HasSubstr("FANUC")));
     EXPECT_THAT(run({"explain", "G83", "--dialect", "fanuc"}).out,
                 AllOf(HasSubstr("MAC523/G83.Q"), Not(HasSubstr("(dinplus"))));
+}
+
+TEST_F(CodePages, AreThoseOfOneControl) {
+    const std::string page = run({"explain", "G83", "--control", "fanuc-30i"}).out;
+    EXPECT_THAT(page, AllOf(StartsWith("G83 "),
+                            HasSubstr("(FANUC Series 30i/31i/32i, mill, canned cycles of mills)"),
+                            HasSubstr("In force:\n\n    canned cycle, until G73, "),
+                            HasSubstr("(alarm 045 on FANUC 30i/0i-D)"), Not(HasSubstr("Haas")),
+                            Not(HasSubstr("only on"))));
+    EXPECT_THAT(run({"explain", "G83", "--control", "fanuc-16i"}).out, Not(HasSubstr("alarm 045")));
+    const Finished unknown = run({"explain", "G999", "--control", "fanuc-16i"});
+    EXPECT_EQ(unknown.status, 2);
+    EXPECT_THAT(unknown.err, HasSubstr("no such code or alarm of that control"));
+}
+
+TEST_F(CodePages, TellTheSystemsOfLathes) {
+    EXPECT_THAT(run({"explain", "G92", "--control", "fanuc-16i-lathe"}).out, HasSubstr("G code system A"));
+    EXPECT_THAT(run({"explain", "G76"}).out, HasSubstr("(FANUC lathes, system A or B, "));
 }
 
 TEST_F(CodePages, AreNoneForWordsThatAreNoCodes) {
@@ -79,10 +98,12 @@ TEST_F(CodePages, AreWrittenByChapters) {
     EXPECT_FALSE(fs::exists(folder.path() / "codes/dinplus/gone.md"));
     const std::string index = read_file(folder.path() / "codes/dinplus/README.md");
     for (const CodePage& page : all_code_pages()) {
+        const fs::path codes = folder.path() / "codes" / std::string(page.book->language);
         const std::string file = cli::chapter_file(*page.book);
-        EXPECT_THAT(index, HasSubstr("| " + all_of(page.head->row.code) + " | " +
-                                     std::string(page.head->row.means) + " | ["));
-        EXPECT_TRUE(fs::exists(folder.path() / "codes/dinplus" / file)) << file;
+        EXPECT_THAT(page.book->language == "dinplus" ? index : read_file(codes / "README.md"),
+                    HasSubstr("| " + all_of(page.head->row.code) + " | " + std::string(page.head->row.means) +
+                              " | ["));
+        EXPECT_TRUE(fs::exists(codes / file)) << file;
     }
     EXPECT_THAT(read_file(folder.path() / "codes/dinplus/turning-cycles.md"),
                 AllOf(StartsWith("# turning cycles\n"), HasSubstr("\n## G860 "),

@@ -65,7 +65,7 @@ TEST_F(Explain, TellsWhatAVariableIs) {
                 AllOf(StartsWith("#4109 feed F "), HasSubstr("reads what is in force of: feed"),
                       HasSubstr("can only be read"), HasSubstr("SEED-001:1360")));
     EXPECT_THAT(page({"#3"}), AllOf(HasSubstr("argument C of a macro call"), HasSubstr("may be written")));
-    EXPECT_THAT(page({"#5042", "--control", "fanuc-16i"}), HasSubstr("that of the axis of Y or V"));
+    EXPECT_THAT(page({"#5042", "--control", "fanuc-16i"}), HasSubstr("that of the axis of Y or V or Z or W"));
     EXPECT_THAT(page({"#5042", "--control", "fanuc-16i-lathe"}), HasSubstr("(fanuc-16i-lathe)"));
     EXPECT_THAT(page({"#3000"}), HasSubstr("writing it stops the program with an alarm"));
     EXPECT_THAT(page({"#50"}), HasSubstr("no control that is known has it"));

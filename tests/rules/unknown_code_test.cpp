@@ -85,13 +85,13 @@ TEST(UnknownCode, IsFoundAmongPlainBlocks) {
 }
 
 TEST(CodesToLookAt, AreFew) {
-    EXPECT_FALSE(codes_to_look_at(*find_control("fanuc-16i")).empty());
-    const syntax::CodeSet kinds = kinds_to_look_at(*find_control("fanuc-16i"));
+    const auto unknown = codes_to_look_at(*find_control("fanuc-16i"));
+    EXPECT_FALSE(unknown->codes.empty());
     syntax::CodeSet usual;
     for (const int code : {0, 1, 2, 3, 17, 40, 43, 54, 80, 81, 90, 91})
         usual.add(syntax::CodeSet::kind_of(0, code));
     for (const int code : {3, 5, 6, 8, 9, 30}) usual.add(syntax::CodeSet::kind_of(1, code));
-    EXPECT_FALSE(kinds.meets(usual)); // blocks of nothing else are not read for it
+    EXPECT_FALSE(unknown->kinds.meets(usual)); // blocks of nothing else are not read for it
 }
 
 } // namespace

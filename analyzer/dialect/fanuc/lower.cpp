@@ -295,6 +295,7 @@ void BlockLowering::end_program() {
         if (open.refusal) // nothing speaks for a control that has it: THEN lacks its statement
             syntax_errors_[*open.refusal].answer = Answer::stops;
     block_ifs_.clear();
+    codes_in_program_ = nullptr;
 }
 
 /// `[#1 LT 5] M99 P10`: a condition of what stands behind it, where a control has that before M99.

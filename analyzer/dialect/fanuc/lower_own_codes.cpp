@@ -11,20 +11,23 @@ namespace maclint::fanuc {
 
 /// Within a program that such a code has called the codes are ordinary ones [T: section on macro calls by G
 /// code of the manuals].
-const CodeTable& BlockLowering::codes() const {
+const CodeTable& BlockLowering::codes() {
+    if (codes_in_program_ != nullptr) return *codes_in_program_;
     const ControlModel& control = *program_->control;
     const bool is_called =
         program_->number && std::ranges::any_of(control.own_codes, [&](const OwnCode& code) {
             return code.program == *program_->number;
         });
-    return is_called ? usual_codes_of(control) : codes_;
+    codes_in_program_ = is_called ? &usual_codes_of(control) : &codes_;
+    return *codes_in_program_;
 }
 
 /// What the word calls here, or nullptr.
-const OwnCode* BlockLowering::own_call(const NcWord& word) const {
+const OwnCode* BlockLowering::own_call(const NcWord& word) {
     if (word.comma || !word.literal || (word.letter != 'G' && word.letter != 'M')) return nullptr;
+    if (&codes() != &codes_) return nullptr;
     const OwnCode* code = own_code(*program_->control, word.letter, *word.literal);
-    return code != nullptr && calls_program(*code) && &codes() == &codes_ ? code : nullptr;
+    return code != nullptr && calls_program(*code) ? code : nullptr;
 }
 
 /// The other words are arguments, as those of G65 are; false where no word calls.

@@ -79,10 +79,10 @@ class BlockLowering : private TreeLowering {
     void lower_possible_call(std::span<const NcWord> words, Span span);
     // ---- codes of the machine's own that call programs (lower_own_codes.cpp)
     /// Those of the control, or those without own calls in a program that is one of the called.
-    [[nodiscard]] const CodeTable& codes() const;
+    [[nodiscard]] const CodeTable& codes();
     [[nodiscard]] bool lower_own_macro(std::span<const NcWord> words, Span span);
     void lower_own_subprogram(const NcWord& code, Span span);
-    [[nodiscard]] const OwnCode* own_call(const NcWord& word) const;
+    [[nodiscard]] const OwnCode* own_call(const NcWord& word);
     // ---- NC words again
     void lower_machine_function(const NcWord& word, std::span<const NcWord> words, Span span);
     void lower_subprogram_call(CallKindId kind, const NcWord& code, std::span<const NcWord> words, Span span);
@@ -156,6 +156,7 @@ class BlockLowering : private TreeLowering {
     void check_function(std::string_view name, std::size_t operands, bool has_divisor, Span span);
 
     const CodeTable& codes_;
+    const CodeTable* codes_in_program_ = nullptr; ///< nullptr: not looked for yet
     /// An IF that has opened blocks and waits for ENDIF.
     struct BlockIf {
         std::optional<std::size_t> refusal; ///< the syntax error that it is on the assumed control
