@@ -12,6 +12,7 @@
 #include "cli/suggest.hpp"
 #include "cli/terminal.hpp"
 #include "rules/words/row_examples.hpp"
+#include "rules/words/row_place.hpp"
 #include "rules/words/section_pages.hpp"
 
 #include <algorithm>
@@ -117,6 +118,18 @@ std::string pages_of_alarm(const ExplainRequest& request, const PageStyle& style
     return joined(pages);
 }
 
+/// What the word may mean on the control, where one is asked for.
+std::vector<NamedRule> named_by(const ExplainRequest& request) {
+    std::vector<NamedRule> named = rules_meant(request.rule);
+    if (request.control != nullptr)
+        std::erase_if(named, [&](const NamedRule& one) {
+            const auto is_on = [&](const RowForCode& row) { return is_of(row, *request.control); };
+            return one.row == nullptr ? !applies_to(*one.rule, *request.control)
+                                      : std::ranges::none_of(one.row->rows, is_on);
+        });
+    return named;
+}
+
 } // namespace
 
 int run_explain(const ExplainRequest& request) {
@@ -127,7 +140,7 @@ int run_explain(const ExplainRequest& request) {
         const std::string pages = plain_variable_pages(*number, request.control, style);
         if (!pages.empty()) return print_text(pages);
     }
-    const auto named = rules_meant(request.rule);
+    const auto named = named_by(request);
     if (const std::string pages = pages_of_alarm(request, style); !pages.empty())
         return print_text(pages +
                           (named.empty() ? "" : "\nRules with that number:\n" + list_of(named) + ".\n"));

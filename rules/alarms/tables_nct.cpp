@@ -8,6 +8,8 @@ std::span<const ControlAlarm> nct() {
     static constexpr ControlAlarm rows[] = {
     // number, titles by list (16i/18i/21i, 30i/0i-D, NCT), machine
     //  what brings it, what it is about, whether text shows it, what stands behind it, source
+    {"3054", {"", "", "G31 INCORRECT STATE"}, both,
+     "G31 under cutter compensation, a feed a revolution, scaling, mirror image, rotation or polar coordinates", program, sometimes, partly, "NCT-159; T"},
     {"3064", {"", "", "BAD MACRO STATEMENT"}, both,
      "bracket depth above five (and other syntax errors)", program, always, document, "NCT-188"},
     {"3070", {"", "", "NOT EXISTING BLOCK NO. P"}, both,

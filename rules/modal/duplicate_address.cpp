@@ -66,8 +66,9 @@ X50. Y20.
 X60.
 M30
 )nc"}},
-    .alarms = {{"FANUC 16i/18i/21i", "5074", "ADDRESS DUPLICATION ERROR"}},
-    .sources = {"T: alarm 5074", "SEED-003:10226-10231"},
+    .alarms = {{"FANUC 16i/18i/21i", "5074", "ADDRESS DUPLICATION ERROR"},
+               {"FANUC 30i/0i-D", "5074", "ADDRESS DUPLICATION ERROR"}},
+    .sources = {"T: alarm 5074", "GH-ALM", "SEED-003:10226-10231"},
     .check = WordCheck{.addresses = "", .blocks = WordCheck::Blocks::repeated, .check = &check},
 };
 

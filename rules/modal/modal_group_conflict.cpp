@@ -67,8 +67,9 @@ N12 G0 X62 Z2
 N13 M30
 END
 )nc"}},
-    .alarms = {{"FANUC 16i/18i/21i", "5074", "ADDRESS DUPLICATION ERROR"}},
-    .sources = {"T: parameter 3403#6", "SEED-001:1340-1355", "SEED-003:10226-10231"},
+    .alarms = {{"FANUC 16i/18i/21i", "5074", "ADDRESS DUPLICATION ERROR"},
+               {"FANUC 30i/0i-D", "5074", "ADDRESS DUPLICATION ERROR"}},
+    .sources = {"T: parameter 3403#6", "GH-ALM", "SEED-001:1340-1355", "SEED-003:10226-10231"},
     .check = WordCheck{.addresses = "G M", .blocks = WordCheck::Blocks::conflicting, .check = &check},
 };
 

@@ -13,8 +13,8 @@ constexpr std::string_view named = "fanuc-16i fanuc-0i-c fanuc-0i-d fanuc-30i";
 constexpr std::string_view newer = "fanuc-0i-d fanuc-30i";
 constexpr std::string_view axes = "X Y Z A B C U V W";
 
-// Words that any block may hold (F, S, T, M, H, D) are listed only where the move itself takes them: a block that
-// goes on with a move takes all words of its code.
+// Words that any block may hold (F, S, T, M, H, D) are listed only where the move itself takes them: a block
+// that goes on with a move takes all words of its code.
 // clang-format off
 constexpr BookLine lines[] = {
     code("G0", "SEED-001:1340", "rapid positioning"),
@@ -37,7 +37,7 @@ constexpr BookLine lines[] = {
         needs("R I J K", "CSDN-PS", "radius or centre", no_centre).when("X").alarm(of_16i, "022").alarm(of_30i, "022"),
         needs("R I J K", "CSDN-PS", "radius or centre", no_centre).when("Y -X").alarm(of_16i, "022").alarm(of_30i, "022"),
         needs("R I J K", "CSDN-PS", "radius or centre", no_centre).when("Z -X -Y").alarm(of_16i, "022").alarm(of_30i, "022"),
-        at_most(4, "X Y Z U V W A B C", "T", "an arc takes two axes along, beside those of its plane"),
+        at_most(4, "X Y Z U V W A B C", "GH-ALM", "an arc takes two axes along, beside those of its plane").alarm(of_30i, "232"),
         excludes("R", "I J K", "F15-71", "only the radius counts"),
         excludes("R", "L Q", "F30C-99", "a spiral has a centre, not a radius").on(named),
         value("L", ">0", "F30C-99", "the spiral has no turns").on(named),
