@@ -96,6 +96,7 @@
     RULE(m98_with_arguments)                    /* MAC418 */ \
     RULE(two_calls_one_block)                   /* MAC423 */ \
     RULE(words_beside_modal_return)             /* MAC425 */ \
+    RULE(start_block_missing)                   /* MAC426 */ \
     RULE(illegal_program_number)                /* MAC452 */ \
     RULE(duplicate_program_number)              /* MAC453 */ \
     RULE(missing_program_end)                   /* MAC455 */ \

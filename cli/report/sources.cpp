@@ -13,7 +13,7 @@ struct SourceRow {
 };
 
 // clang-format off
-constexpr std::array<SourceRow, 110> rows{{
+constexpr std::array<SourceRow, 118> rows{{
     {"SEED-001",
      "Joni Nieminen, Parametriohjelmointi FANUC 21i-MB -ohjauksessa, thesis, Tampere 2005: macro "
      "programming on a FANUC 21i-MB, with programs that were run on the machine. Lines of its text"},
@@ -92,8 +92,29 @@ constexpr std::array<SourceRow, 110> rows{{
      "Articles in Chinese on the web: the chapter on G65 of the 0i manual; system variables in use"},
     {"CNCCI",
      "Article on the web on macro alarms for dangerous situations"},
+    {"ERRLIB-49",
+     "Collection of alarms on the web: PS0049 of a 30i-B"},
     {"ZAPP-ARG",
      "Pages of a consultant on macro programming: argument letters and their variables"},
+    {"IMD-IO",
+     "Article of an automation forum on the inputs and outputs of FANUC controls that a program "
+     "reaches: #1000 to #1015 can only be read (industrialmonitordirect.com, "
+     "accessing-fanuc-user-interface-io-without-modifying-pmc-ladder)"},
+    {"TENC-G65",
+     "Article in Chinese after the manual of the FANUC 0i: macro calls with G65 "
+     "(cloud.tencent.com/developer/article/2004204)"},
+    {"CPH-M98",
+     "Guide on the web to subprogram calls with M98 (cncprogramminghub.com)"},
+    {"ZAPP-ALM",
+     "Pages of a consultant on macro programming: alarms and timers (zappettiniconsulting.com/wiki)"},
+    {"ZAPP-HAAS",
+     "Pages of a consultant on macro programming: system variables of Haas, new numbers beside the old "
+     "ones (zappettiniconsulting.com/wiki/haas-system-variables)"},
+    {"ZAPP-MATH",
+     "Pages of a consultant on macro programming: operators and functions "
+     "(zappettiniconsulting.com/wiki/macro-arithmetic)"},
+    {"MITSU-389",
+     "Mitsubishi M700V, programming manual, page 389: modal values in an interruption macro"},
     {"ISORP",
      "Linter of the macro-executor extension for Visual Studio Code by iSorp, open source: what "
      "another linter reports"},
@@ -278,8 +299,8 @@ constexpr std::array<SourceRow, 110> rows{{
      "https://cloud.tencent.com/developer/article/2035679"},
     {"SZGH-67",
      "SZGH-CNC1000MDb, a FANUC look-alike, user manual, page 54: tool offset with G45 to G48"},
-    {"IMD-IO",
-     "Article of an automation forum: interface signals of FANUC, #1000 to #1015 and #1100 to #1115"},
+    {"IMD-UI",
+     "Article of the same forum: interface signals of FANUC, #1000 to #1015 and #1100 to #1115"},
     {"T",
      "Experience of those who wrote the rule. No document at hand confirms it; a correction with a "
      "document is welcome"},

@@ -91,13 +91,14 @@ class BlockCheck {
                 report(call.code_word(), call.passes_arguments() ? "macro" : "sub", before->code_word(), "");
             return;
         }
-        for (const Word& word : call.passes_arguments() ? call.after() : call.words)
+        for (const Word& word : call.words)
             if (queries::ends_program(analysis_.control(), word)) end(call, word);
     }
 
   private:
     void end(const queries::CallInBlock& call, const Word& word) {
-        if (!call.passes_arguments()) return report(word, "end", call.code_word(), "");
+        if (!call.passes_arguments() || word.span.begin < call.code_word().span.begin)
+            return report(word, "end", call.code_word(), "");
         const CallSite* site = analysis_.call_at(call.effect);
         const ProgramAnalysis* called = site == nullptr ? nullptr : queries::called_program(analysis_, *site);
         const Argument* argument = queries::argument_of(analysis_.program(), call, word);

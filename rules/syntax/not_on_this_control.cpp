@@ -4,8 +4,10 @@
 #include "rules/rule.hpp"
 #include "rules/syntax_errors.hpp"
 
+#include <algorithm>
 #include <string>
 #include <string_view>
+#include <variant>
 
 namespace maclint::rules {
 
@@ -28,7 +30,10 @@ extern const Rule not_on_this_control{
                  {"elsewhere", "Condition without a comparison: the assumed control stops at '{0}'.",
                   "If the program runs on {2}, name that (--control), or compare, as in [#1 NE 0]."},
                  {"name", "Variable with a name: the control has none, and stops at '{0}'.", "{1}."},
-                 {"unsure", "'{0}' is in no list of what this control has.", "{1}."}},
+                 {"unsure", "Unlisted: no list of what this control has holds '{0}'.", "{1}."},
+                 {"macro-a",
+                  "Macro A in a program of macro B: '{0}' is a calculation of macro A, and a call here.",
+                  "{1}."}},
     .bad = {{"fanuc", R"nc(
 O9124(ONCE)
 IF[#500]GOTO9
@@ -51,15 +56,26 @@ N9 M99
 namespace {
 
 std::string_view message_for(const SyntaxError& error) {
+    if (error.fault == lacking::macro_a) return "macro-a";
     if (error.answer == Answer::unknown) return "unsure";
     if (error.answer == Answer::stops_if_assumed) return "elsewhere";
     return error.fault.substr(error.fault.find('-') + 1); // "lacks-form"
+}
+
+/// Whether the program there stores by `=`, which macro A does not have.
+bool is_macro_b(const ProgramFile& file, Offset at) {
+    return std::ranges::any_of(file.programs, [&](const Program& program) {
+        return program.span.contains(at) && std::ranges::any_of(program.effects, [](const Effect& effect) {
+                   return std::holds_alternative<Assign>(effect.what);
+               });
+    });
 }
 
 void check(const ProgramFile& file, Reporter& reporter) {
     SyntaxCauses causes(file);
     for (const SyntaxError& error : file.syntax_errors) {
         if (!lacking::is_one(error)) continue;
+        if (error.fault == lacking::macro_a && !is_macro_b(file, error.span.begin)) continue;
         Finding& finding = reporter.report({file, error.span}, error.span, message_for(error),
                                            {error.subject, error.cure, error.elsewhere});
         finding.alarm = reporter.alarm_for(file, error.fault);

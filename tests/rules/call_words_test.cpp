@@ -138,6 +138,26 @@ TEST(M98, PassesNoArguments) {
         << "O2 has a #4 of its own";
 }
 
+TEST(M98, StartsWhereQSays) {
+    const auto call = [](const std::string& words) {
+        return "O1\nM98 P2 " + words + "\nM30\nO2\nN100 X1.\nM99\n";
+    };
+    EXPECT_THAT(calls_found(call("Q200"), "fanuc-30i"), ElementsAre("error MAC426 (078) on line 2"));
+    EXPECT_THAT(calls_found(call("Q200"), "fanuc"), ElementsAre("warning MAC426 on line 2"));
+    EXPECT_THAT(calls_found(call("Q200"), "fanuc-16i"), IsEmpty()) << "nobody knows what it makes of Q";
+    EXPECT_THAT(calls_found(call("Q100"), "fanuc-30i"), IsEmpty());
+    EXPECT_THAT(calls_found(call("L3"), "fanuc-30i"), IsEmpty());
+}
+
+TEST(MacroA, IsACalculationThatMacroBTakesForACall) {
+    EXPECT_THAT(messages_raised("MAC124", "O1\nG65 H02 P#102 Q100.0 R0\n#103=#102+10.\nG0 X#103\nM30\n"),
+                ElementsAre(HasSubstr("'G65 H02 P#102 Q100.0 R0' is a calculation of macro A")));
+    EXPECT_THAT(judged("MAC124", "O1\nG65 H02 P#102 Q100.0 R0\nG0 X#102\nM30\n"), IsEmpty())
+        << "nothing shows macro B";
+    EXPECT_THAT(judged("MAC124", "O1\n#102=9001\nG65 P#102 H2. Q100. R0\nM30\n"), IsEmpty());
+    EXPECT_THAT(judged("MAC124", "O1\n#102=9001\nG65 H2 P#102 Q100. X5.\nM30\n"), IsEmpty());
+}
+
 TEST(TwoCallsInABlock, AreAnErrorAndSoIsAnEndBesideACall) {
     EXPECT_THAT(
         calls_found(with_block("G65 P9001 X5. Y1. Z1. M8 G66 P9001 X1. Y2. Z3. M8\nG67"), "fanuc-30i"),
@@ -151,6 +171,8 @@ TEST(TwoCallsInABlock, AreAnErrorAndSoIsAnEndBesideACall) {
                 ElementsAre(HasSubstr("'M98' beside 'M30'")));
     EXPECT_THAT(messages_raised("MAC423", "O1\nG65 P9001 X1. M30\nO9001\nG0 X#24\nM99\n"),
                 ElementsAre(HasSubstr("'M30' passes a value that O9001 does not read, and ends nothing")));
+    EXPECT_THAT(messages_raised("MAC423", with_block("M30 G65 P9001 X1. Y2. Z3.")),
+                ElementsAre(HasSubstr("'G65' beside 'M30'")));
     EXPECT_THAT(judged("MAC423", with_block("G65 P9001 X1. Y2. Z3. M30")), IsEmpty()) << "O9001 reads #13";
     EXPECT_THAT(judged("MAC423", with_block("IF[#1EQ1]THEN G65 P9001 X1.\nM98 P2")), IsEmpty());
 }

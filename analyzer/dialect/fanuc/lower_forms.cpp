@@ -212,4 +212,23 @@ void BlockLowering::check_function(std::string_view name, std::size_t operands, 
     check_lacking(operands == 1 ? Extra::angle_of_one : Extra::angle_of_two, span, program_->slice(span));
 }
 
+/// `G65 H02 P#102 Q100.0 R0`: H, the code of an operation, comes first, P is the variable for its result, and
+/// Q and R are what it works on.
+bool BlockLowering::is_macro_a(std::span<const NcWord> words) const {
+    struct Range {
+        double first, last;
+    };
+    static constexpr Range operations[] = {{1, 5}, {11, 13}, {21, 28}, {31, 34}}; // T
+    constexpr std::string_view letters = "GHPQR";
+    constexpr std::size_t fewest = 4;
+    if (words.size() < fewest || words.size() > letters.size()) return false;
+    for (std::size_t i = 0; i < words.size(); ++i)
+        if (words[i].letter != letters[i] || words[i].comma || !words[i].value) return false;
+    const std::optional<double> code = words[1].literal;
+    return code && !words[2].literal && std::holds_alternative<Load>(expression(*words[2].value).node) &&
+           text(*words[1].node).find('.') == std::string_view::npos &&
+           std::ranges::any_of(
+               operations, [&](const Range& range) { return *code >= range.first && *code <= range.last; });
+}
+
 } // namespace maclint::fanuc

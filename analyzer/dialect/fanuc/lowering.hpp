@@ -152,6 +152,7 @@ class BlockLowering : private TreeLowering {
     void check_sign(const Node& operand);
     void check_comparison(const Node& comparison);
     void check_increment(Span address);
+    [[nodiscard]] bool is_macro_a(std::span<const NcWord> words) const;
     void check_lacking(Extra extra, Span span, std::string_view subject);
     void check_function(std::string_view name, std::size_t operands, bool has_divisor, Span span);
 

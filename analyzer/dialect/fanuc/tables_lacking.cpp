@@ -20,14 +20,15 @@ constexpr Lacking rows[] = {
     {Extra::parameter,        older,     lacking::function,  true,  "",     "Write the value into the program",           "ISORP: of newer macros; ZAPP-MATH lists none"},
     {Extra::parameter,        haas,      lacking::function,  false, "",     "Write the value into the program",           "T"},
     {Extra::remainder,        older,     lacking::function,  false, "",     "Calculate #1-FIX[#1/#2]*#2",                 "SEED-001:263-278 lists none for the 21i; T: some take it"},
-    {Extra::logarithm,        haas,      lacking::function,  false, "",     "Calculate the value beforehand",             "HAAS-374 is silent; T"},
-    {Extra::code_of_decimals, haas,      lacking::function,  false, "",     "Calculate with FIX",                         "HAAS-374 is silent; T"},
+    {Extra::logarithm,        haas,      lacking::function,  false, "",     "Calculate the value beforehand",             "T: H99:374 names MOD alone"},
+    {Extra::code_of_decimals, haas,      lacking::function,  false, "",     "Calculate with FIX",                         "T: H99:374 names MOD alone"},
     {Extra::angle_of_one,     older,     lacking::form,      false, "",     "Write a divisor, as in ATAN[#1]/[1]",        "SEED-001:263-268 has ATAN[]/[] alone; ZAPP-MATH has both"},
     {Extra::angle_of_two,     older,     lacking::form,      true,  "",     "Write ATAN[#1]/[#2]",                        "SEED-001:263-268; ISORP: of newer macros"},
     {Extra::angle_of_two,     haas,      lacking::form,      false, "",     "Write ATAN[#1]/[#2]",                        "T"},
     {Extra::named_variable,   older,     lacking::name,      true,  "",     "Use its number",                             "GH-ALM 1096-1099: alarms of the 30i alone"},
     {Extra::named_variable,   haas,      lacking::name,      false, "",     "Use its number",                             "T"},
     {Extra::bare_condition,   all_fanuc, lacking::condition, true,  "haas", "Compare, as in [#1 NE 0]",                   "SEED-001:375-415; SINHA-EXP; Haas: HAAS-118, all expressions set a conditional value"},
+    {Extra::macro_a,          all_fanuc, lacking::macro_a,   false, "",     "Write it as in #102=100.0+0",                "T: macro B reads it as a call of the program whose number #102 holds"},
 };
 // clang-format on
 

@@ -18,6 +18,7 @@ enum class Extra : std::uint8_t {
     angle_of_two,     ///< ATAN[#1,#2]
     named_variable,   ///< [#_ABSIO[1]]
     bare_condition,   ///< IF[#1]
+    macro_a,          ///< G65 H02 P#102 Q100 R0
 };
 
 /// What is said of a control that lacks it.

@@ -38,37 +38,35 @@ void append_modal(std::vector<VariableRange>& ranges, std::int32_t first, std::s
 
 /// What a control has in the place of the rows for all.
 // clang-format off
-constexpr VariableRange of_older_fanuc[] = {
+constexpr std::string_view listed_letters = "T: the list of SEED-001:1358-1367 is whole; #4108 is E of the 30i";
+constexpr VariableRange of_named_fanuc[] = {
     //  first    last  meaning   space              group on write   by itself what                      source
-    {    3100,   3102, machine,  spaces::machine,   0,    store,     true,  "machine value",             "unknown"},
-    {    4023,   4030, absent,   spaces::machine,   0,    forbidden, false, "no variable",               "T: SEED-001:1340-1357 has 22 groups, the 30i has 30"},
-    {    4103,   4106, absent,   spaces::machine,   0,    forbidden, false, "no variable",               "T: the list of SEED-001:1358-1367 is whole"},
-    {    4110,   4110, absent,   spaces::machine,   0,    forbidden, false, "no variable",               "T: the list of SEED-001:1358-1367 is whole"},
-    {    4112,   4112, absent,   spaces::machine,   0,    forbidden, false, "no variable",               "T: the list of SEED-001:1358-1367 is whole"},
-    {    4116,   4118, absent,   spaces::machine,   0,    forbidden, false, "no variable",               "T: the list of SEED-001:1358-1367 is whole"},
-    {    4121,   4129, absent,   spaces::machine,   0,    forbidden, false, "no variable",               "T: the list of SEED-001:1358-1367 is whole"},
-    {    4131,   4200, absent,   spaces::machine,   0,    forbidden, false, "no variable",               "T: the list of SEED-001:1358-1367 is whole"},
+    {    4103,   4106, absent,   spaces::machine,   0,    forbidden, false, "no variable",               listed_letters},
+    {    4110,   4110, absent,   spaces::machine,   0,    forbidden, false, "no variable",               listed_letters},
+    {    4112,   4112, absent,   spaces::machine,   0,    forbidden, false, "no variable",               listed_letters},
+    {    4116,   4118, absent,   spaces::machine,   0,    forbidden, false, "no variable",               listed_letters},
+    {    4121,   4129, absent,   spaces::machine,   0,    forbidden, false, "no variable",               listed_letters},
+    {    4131,   4200, absent,   spaces::machine,   0,    forbidden, false, "no variable",               listed_letters},
 };
-constexpr VariableRange of_newer_fanuc[] = {
-    {    4103,   4106, absent,   spaces::machine,   0,    forbidden, false, "no variable",               "T: the list of SEED-001:1358-1367 is whole, with E (#4108)"},
-    {    4110,   4110, absent,   spaces::machine,   0,    forbidden, false, "no variable",               "T: the list of SEED-001:1358-1367 is whole"},
-    {    4112,   4112, absent,   spaces::machine,   0,    forbidden, false, "no variable",               "T: the list of SEED-001:1358-1367 is whole"},
-    {    4116,   4118, absent,   spaces::machine,   0,    forbidden, false, "no variable",               "T: the list of SEED-001:1358-1367 is whole"},
-    {    4121,   4129, absent,   spaces::machine,   0,    forbidden, false, "no variable",               "T: the list of SEED-001:1358-1367 is whole"},
-    {    4131,   4200, absent,   spaces::machine,   0,    forbidden, false, "no variable",               "T: the list of SEED-001:1358-1367 is whole"},
+constexpr VariableRange of_older_fanuc[] = {
+    {    4023,   4030, absent,   spaces::machine,   0,    forbidden, false, "no variable",               "T: SEED-001:1340-1357 has 22 groups, the 30i has 30"},
+};
+/// Constants are of the newer FANUC series.
+constexpr VariableRange of_others[] = {
+    {    3100,   3102, machine,  spaces::machine,   0,    store,     true,  "machine value",             "unknown"},
+};
+constexpr VariableRange of_any_haas[] = {
+    {     100,    199, variable, spaces::retained,  0,    store,     false, "retained common variable",  "ZAPP-HAAS: kept at power-off; #150 and up hold probe values, where there is one"},
 };
 /// ZAPP-HAAS prints a Haas table that has new numbers beside the old ones. That #10000 is the same variable as
 /// #100 is read from their standing in one row; each is a variable of its own here.
-constexpr VariableRange of_haas[] = {
-    {     100,    149, variable, spaces::retained,  0,    store,     false, "retained common variable",  "ZAPP-HAAS: kept at power-off"},
-    {     150,    199, variable, spaces::retained,  0,    store,     false, "retained common variable",  "ZAPP-HAAS: probe values, where there is one"},
+constexpr VariableRange of_newer_haas[] = {
     {     700,    749, machine,  spaces::machine,   0,    store,     true,  "value of the control's own","ZAPP-HAAS: hidden, for internal use"},
     {    1064,   1068, machine,  spaces::machine,   0,    store,     true,  "greatest load of an axis",  "ZAPP-HAAS"},
     {    1080,   1098, machine,  spaces::machine,   0,    forbidden, true,  "analog input",              "ZAPP-HAAS"},
     {    1264,   1268, machine,  spaces::machine,   0,    store,     true,  "greatest load of an axis",  "ZAPP-HAAS"},
     {    1601,   2000, machine,  spaces::machine,   0,    store,     true,  "tool data",                 "ZAPP-HAAS"},
     {    3020,   3020, machine,  spaces::machine,   0,    forbidden, true,  "power-on timer",            "ZAPP-HAAS"},
-    {    3100,   3102, machine,  spaces::machine,   0,    store,     true,  "machine value",             "unknown"},
     {   10000,  10149, variable, spaces::retained,  0,    store,     false, "retained common variable",  "ZAPP-HAAS: beside #100-#149, taken for the same by inference"},
     {   10150,  10199, machine,  spaces::machine,   0,    store,     true,  "probe value",               "ZAPP-HAAS: written by the machine, where there is a probe", false, false, true},
     {   10200,  10549, variable, spaces::retained,  0,    store,     false, "retained common variable",  "ZAPP-HAAS"},
@@ -79,22 +77,15 @@ constexpr VariableRange of_haas[] = {
     {   12000,  12255, machine,  spaces::machine,   0,    store,     false, "output",                    "T", true},
     {   14001,  19999, machine,  spaces::machine,   0,    store,     false, "additional work offset",    "T: G154"},
 };
-/// Before the new numbers.
-constexpr VariableRange of_older_haas[] = {
-    {     100,    199, variable, spaces::retained,  0,    store,     false, "retained common variable",  "ZAPP-HAAS: kept at power-off"},
-    {    3100,   3102, machine,  spaces::machine,   0,    store,     true,  "machine value",             "unknown"},
-};
-constexpr VariableRange of_others[] = {
-    {    3100,   3102, machine,  spaces::machine,   0,    store,     true,  "machine value",             "unknown"},
-};
 // clang-format on
 
-std::span<const VariableRange> own_ranges(std::string_view model) {
-    if (model == "fanuc-16i" || model == "fanuc-0i-c") return of_older_fanuc;
-    if (model == "fanuc-0i-d" || model == "fanuc-30i") return of_newer_fanuc;
-    if (model == "haas") return of_haas;
-    if (model == "haas-1999") return of_older_haas;
-    return model == "fanuc" ? std::span<const VariableRange>() : of_others;
+std::vector<std::span<const VariableRange>> own_ranges(std::string_view model) {
+    if (model == "fanuc") return {};
+    if (model == "fanuc-16i" || model == "fanuc-0i-c") return {of_named_fanuc, of_older_fanuc, of_others};
+    if (model.starts_with("fanuc")) return {of_named_fanuc};
+    if (model == "haas") return {of_others, of_any_haas, of_newer_haas};
+    if (model == "haas-1999") return {of_others, of_any_haas};
+    return {of_others};
 }
 
 /// Puts the row in the place of what is there.
@@ -219,7 +210,8 @@ VariableFamily numbered_variables(std::span<const ModalGroup> groups, std::optio
     add({98500, 899999,  machine, here,             0,            store,     true,  "machine value",                           "T: six-digit numbers of the 30i", false, false, true});
     add({900000, 999999, machine, here,             0,            store,     true,  "common variable of the machine builder",  "T: vacant until something sets them", false, false, true});
     // clang-format on
-    for (const VariableRange& range : own_ranges(model)) put(ranges, range);
+    for (const auto own : own_ranges(model))
+        for (const VariableRange& range : own) put(ranges, range);
     return {"#", std::move(ranges), index_custom};
 }
 
