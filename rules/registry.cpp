@@ -125,6 +125,7 @@
     RULE(offset_not_restored)                   /* MAC519 */ \
     RULE(word_missing)                          /* MAC523 */ \
     RULE(code_forbidden_here)                   /* MAC527 */ \
+    RULE(chamfer_or_corner)                     /* MAC529 */ \
     RULE(integer_word_decimal)                  /* MAC551 */ \
     RULE(duplicate_address)                     /* MAC559 */ \
     RULE(canned_cycle_over_tool_change)         /* MAC569 */ \
