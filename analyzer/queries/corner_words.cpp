@@ -101,7 +101,9 @@ class Corners {
                                   const auto code = g_code(word);
                                   return word.address == "G" && code != 0;
                               });
-                              const bool moves = std::ranges::any_of(words, is_axis);
+                              const bool moves = std::ranges::any_of(words, [](const Word& word) {
+                                  return is_axis(word) || word.address == ",A";
+                              });
                               if (moves && motion_of(next) == 0) tell(corner, "rapid");
                               if (!moves && !has_code && next.effects.count == 0) tell(corner, "no_move");
                           });

@@ -40,7 +40,11 @@ void for_each_block_in(const Program& program, Span part,
     for_each_block_with_words(
         program, {0, static_cast<Id>(program.items.size())},
         [&](const PlainRun& run, const auto& take) {
-            const Span common{std::max(run.span.begin, part.begin), std::min(run.span.end, part.end)};
+            // Whole blocks: one that is cut off would be another.
+            const std::size_t line_end =
+                std::min(program.text.find_first_of("\r\n", part.end), program.text.size());
+            const Span common{std::max(run.span.begin, part.begin),
+                              std::min(run.span.end, static_cast<Offset>(line_end))};
             if (common.begin < common.end) take(common);
         },
         [](const WordSummary&) { return true; },
