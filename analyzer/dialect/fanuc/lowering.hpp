@@ -18,13 +18,10 @@ namespace maclint::fanuc {
 /// G65, G66, G66.1 as a word: a macro call.
 [[nodiscard]] bool calls_macro(std::string_view word);
 
-/// Lowers blocks of programs whose control has the codes.
 /// The number of `#101`; nothing for one with decimals, which names no variable that a program can set.
 [[nodiscard]] std::optional<std::int64_t> number_of_variable(std::string_view written);
 
-/// G65, G66, G66.1
-[[nodiscard]] bool calls_macro(std::string_view word);
-
+/// Lowers blocks of programs whose control has the codes.
 class BlockLowering : private TreeLowering {
   public:
     BlockLowering(const CodeTable& codes, std::vector<SyntaxError>& syntax_errors)
