@@ -1,16 +1,12 @@
 //! MAC333: a return to a block that the caller lacks.
 #include "analyzer/dataflow/facts/exit_state.hpp"
 #include "analyzer/program/tables.hpp"
-#include "analyzer/queries/called_block.hpp"
 #include "analyzer/queries/callers.hpp"
 #include "analyzer/workspace/program_analysis.hpp"
 #include "rules/path.hpp"
 #include "rules/rule.hpp"
 #include "rules/trace.hpp"
 
-#include <optional>
-#include <string>
-#include <variant>
 #include <vector>
 
 namespace maclint::rules {
@@ -41,9 +37,7 @@ extern const Rule m99_p_missing_label{
          {"uncalled",
           "Missing sequence number: nobody calls this program, so '{0}' goes on at its own N{1}, "
           "which it does not have.",
-          "Add the sequence number, or correct it."},
-         {"called", "Missing sequence number: '{0}' begins {1} at N{2}, which it does not have.",
-          "Add the sequence number there, or correct the call."}},
+          "Add the sequence number, or correct it."}},
     .bad = {{"fanuc", R"nc(
 O0001(MAIN)
 M98P9333
@@ -52,14 +46,6 @@ O9333(CHECK)
 IF[#100EQ1]GOTO1
 M99P500
 N1 M99
-)nc"},
-            {"fanuc", R"nc(
-O0001(MAIN)
-M98P9333Q200
-M30
-O9333(SLOTS)
-N20 G0 X0
-M99
 )nc"}},
     .good = {{"fanuc", R"nc(
 O0001(MAIN)
@@ -71,31 +57,14 @@ M99P50
 N1 M99
 )nc"}},
     .alarms = {{"FANUC 30i/0i-D", "078", "SEQUENCE NUMBER NOT FOUND"},
-               {"FANUC 16i/18i/21i", "078", "NUMBER NOT FOUND", true, "plain within uncalled"}},
+               {"FANUC 16i/18i/21i", "078", "NUMBER NOT FOUND"}},
     .sources = {"INTELITEK-M99", "GH-ALM"},
     .check = &check,
 };
 
 namespace {
 
-void check_calls(const ProgramAnalysis& analysis, Reporter& reporter) {
-    const Program& program = analysis.program();
-    for (const CallSite& site : analysis.calls()) {
-        const Effect& effect = program.effects[site.effect];
-        const ProgramAnalysis* called = queries::called_program(analysis, site);
-        const auto number = called == nullptr ? std::nullopt : queries::first_block_called(program, effect);
-        if (!number || queries::has_block(called->program(), *number)) continue;
-        Finding& finding =
-            reporter.report({analysis, site.effect}, effect.span, "called",
-                            {quoted(program, effect.span), called->program().name, std::to_string(*number)});
-        if (finding.alarm.empty()) finding.severity = Severity::warning; // not every series takes Q
-        if (const auto node = analysis.graph().node_of(site.effect))
-            trace(finding, analysis, *node, "the called program has no such sequence number");
-    }
-}
-
 void check(const ProgramAnalysis& analysis, Reporter& reporter) {
-    check_calls(analysis, reporter);
     if (analysis.is_recursive()) return;
     const Program& program = analysis.program();
     const std::vector<const Caller*> callers = queries::first_callers(analysis);
