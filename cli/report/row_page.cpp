@@ -4,6 +4,7 @@
 #include "analyzer/dialect/dialect.hpp"
 #include "cli/config/selection.hpp"
 #include "cli/report/rule_page.hpp"
+#include "rules/alarms/alarm.hpp"
 #include "rules/words/row_examples.hpp"
 #include "rules/words/word_list.hpp"
 
@@ -45,9 +46,12 @@ std::string facts_of(const RuleRow& row, const WordRow& entry) {
 
 std::vector<std::string> alarms_of(const WordRow& row) {
     std::vector<std::string> alarms;
-    for (const RowAlarm& alarm : row.alarms)
-        if (!alarm.number.empty())
-            alarms.push_back(std::string(alarm.control) + ": " + std::string(alarm.number));
+    for (const RowAlarm& alarm : row.alarms) {
+        if (alarm.number.empty()) continue;
+        const ControlAlarm* known = find_alarm(alarm.control, alarm.number);
+        alarms.push_back(std::string(alarm.control) + ": " + std::string(alarm.number) +
+                         (known == nullptr ? "" : " " + std::string(known->title_on(alarm.control))));
+    }
     return alarms;
 }
 
