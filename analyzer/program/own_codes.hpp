@@ -4,6 +4,7 @@
 #include "analyzer/program/tables.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <string>
 #include <tuple>
@@ -32,7 +33,7 @@ inline constexpr std::int64_t not_fitted = -1;
 
 /// "G54.1".
 [[nodiscard]] inline std::string spelled(const OwnCode& code) {
-    const auto tenths = static_cast<std::int64_t>(code.number * 10 + 0.5);
+    const auto tenths = static_cast<std::int64_t>(std::lround(code.number * 10));
     std::string text = code.letter + std::to_string(tenths / 10);
     if (tenths % 10 != 0) text += "." + std::to_string(tenths % 10);
     return text;

@@ -7,13 +7,9 @@ std::span<const NotFound> not_found() {
     constexpr std::string_view of_16i = alarm_lists[0], of_30i = alarm_lists[1];
     // clang-format off
     static constexpr NotFound rows[] = {
-        {of_16i, "051", "blocks after a chamfer are not asked for a move"},
         {of_16i, "149", "lines of tool life data are not read one by one"},
         {of_16i, "231", "lines of parameters are not read one by one"},
         {of_16i, "232", "no document has the number on this list"},
-        {of_30i, "039", "chamfers are not held against compensation that starts or ends"},
-        {of_30i, "051", "blocks after a chamfer are not asked for a move"},
-        {of_30i, "054", "chamfers are not held against moves along two axes"},
         {of_30i, "056", "angles of drawing dimensions are not calculated"},
         {of_30i, "113", "no function that such a control refuses is known"},
         {of_30i, "114", "what is wrong in an expression has the number 1125 there"},
@@ -21,7 +17,6 @@ std::span<const NotFound> not_found() {
         {of_30i, "231", "lines of parameters are not read one by one"},
         {of_30i, "311", "names of files are not held against their form"},
         {of_30i, "1090", "each statement has a number of its own; what is left for this one no document tells"},
-        {of_30i, "1099", "names of system variables are not held against what stands behind them"},
         {of_30i, "1146", "no document has the form of G10.1"},
         {of_30i, "1152", "no document has the form of G31.8 and G31.9"},
         {of_30i, "5044", "no document has the number"},
