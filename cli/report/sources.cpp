@@ -13,7 +13,7 @@ struct SourceRow {
 };
 
 // clang-format off
-constexpr std::array<SourceRow, 118> rows{{
+constexpr std::array<SourceRow, 117> rows{{
     {"SEED-001",
      "Joni Nieminen, Parametriohjelmointi FANUC 21i-MB -ohjauksessa, thesis, Tampere 2005: macro "
      "programming on a FANUC 21i-MB, with programs that were run on the machine. Lines of its text"},
@@ -92,8 +92,6 @@ constexpr std::array<SourceRow, 118> rows{{
      "Articles in Chinese on the web: the chapter on G65 of the 0i manual; system variables in use"},
     {"CNCCI",
      "Article on the web on macro alarms for dangerous situations"},
-    {"ERRLIB-49",
-     "Collection of alarms on the web: PS0049 of a 30i-B"},
     {"ZAPP-ARG",
      "Pages of a consultant on macro programming: argument letters and their variables"},
     {"IMD-IO",
