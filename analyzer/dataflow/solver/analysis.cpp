@@ -128,7 +128,12 @@ Analysis::Analysis(const Program& program, const flow::Graph& graph, EntryKnowle
     , states_(std::make_unique<States>(program, knowledge_))
     , known_starts_(std::make_unique<KnownStarts>()) {
     auto& lists = platform::KeptByThread<WorkingLists>::get();
-    AnalysisBuilder(program, graph, callees_, wanted, lists, *this).run();
+    try {
+        AnalysisBuilder(program, graph, callees_, wanted, lists, *this).run();
+    } catch (...) { // no memory: what stands there is of this program, and none of the next one's
+        lists = {};
+        throw;
+    }
     lists.release();
 }
 
