@@ -69,7 +69,8 @@ std::vector<WordRow> rows_of(const AddressBook& book) {
                 rows.push_back(row_of(line, address, RowStatement::digits, book.digits, "the control stops"));
                 rows.back().most = line.most_digits;
             }
-            if (line.severity == Severity::error && !book.assumed.empty()) add_milder(rows, first, book.assumed);
+            if (line.severity == Severity::error && !book.assumed.empty())
+                add_milder(rows, first, book.assumed);
         }
     return rows;
 }

@@ -28,7 +28,6 @@ struct BookLine {
     std::string_view source =
         {}; ///< key of docs/sources.md, where it is not the book's with `line`: "GH-ALM"
 
-
     template<class Value>
     [[nodiscard]] constexpr BookLine with(Value WordRow::*field, Value value) const {
         BookLine copy = *this;

@@ -87,6 +87,7 @@ void RowPass::look_at(const queries::WordsOfBlock& block, const RowIndex& index,
     if ((!row.in_calls && queries::calls(block) && !is_builtin(block, *entry.row)) ||
         queries::has_alternatives(block))
         return;
+    if (!block.analysis.file().syntax_errors_in(code.span).empty()) return; // that is told: GO5 for G05
     if (row.kept && !is_first_of_its_kind(block, *entry.row)) return;
     if (!holds_beside(block, code, row.when) || !holds_between(block, row)) return;
     std::string under = row.under.empty() ? std::string() : in_force(block, row);

@@ -115,7 +115,8 @@ TEST(FanucCondition, LogicBetweenComparisonsIsNotBitLogic) {
     EXPECT_EQ(lower("IF[#1EQ1]OR[#2LT3]GOTO5"),
               "if any-of(equal(#1, 1), less(#2, 3)) {jump 5}\n"
               "! logic-outside-brackets '[#1EQ1]OR[#2LT3]' -> [[#1EQ1]OR[#2LT3]]");
-    EXPECT_EQ(lower("IF[#1AND4]GOTO5"), "if bit-and(#1, 4) {jump 5}");
+    EXPECT_EQ(lower("IF[#1AND4]GOTO5"), "if bit-and(#1, 4) {jump 5}\n"
+                                        "! missing-construct '[#1AND4]' -> Compare, as in [#1 NE 0]");
 }
 
 /// Also in forms that the control does not take: what was meant is plain.

@@ -36,9 +36,9 @@ std::vector<std::string> codes_by_default(const std::string& text) {
 
 TEST(Meant, ACommaIsADecimalPoint) {
     for (const char* block : {"G1 X1,5 F100", "X1,5", "N10 G1 Y2 X1,5 F0,2"})
-        EXPECT_THAT(message_of_block(block), HasSubstr("'X1,5': expected 1.5 with a decimal point")) << block;
-    EXPECT_THAT(message_of_block("#100=1,5"), HasSubstr("expected 1.5 with a decimal point"));
-    EXPECT_THAT(message_of_block("G1 X 5,25"), HasSubstr("expected 5.25 with a decimal point"));
+        EXPECT_THAT(message_of_block(block), HasSubstr("Decimal comma in 'X1,5'")) << block;
+    EXPECT_THAT(message_of_block("#100=1,5"), HasSubstr("Write 1.5."));
+    EXPECT_THAT(message_of_block("G1 X 5,25"), HasSubstr("Write 5.25."));
     // A comma before a letter is a chamfer or a corner.
     EXPECT_THAT(codes_by_default("O1\nG1 X5,C3 F100\nM30\n"), IsEmpty());
 }

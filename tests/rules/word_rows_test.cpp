@@ -270,7 +270,7 @@ TEST(CodesUnderOthers, AreRefusedWhereOneIsSurelyInForce) {
                 ElementsAre("MAC527/G31-G41 3"));
     EXPECT_THAT(raised_in("fanuc", "O1\nIF[#500EQ1]GOTO5\nG41 G1 X1. D1\nN5 G31 X5.\nM30\n"), IsEmpty())
         << "on some path alone";
-    EXPECT_THAT(raised_in("fanuc", "O1\nG41 G1 X1. D1\nG31 X5.\nM30\n", "haas"), IsEmpty());
+    EXPECT_THAT(raised_in("fanuc", "O1\nG41 G1 X1. D1\nG31 X5.\nM30\n", "mitsubishi"), IsEmpty());
 }
 
 TEST(RowsOfSections, HoldThereAlone) {

@@ -71,7 +71,8 @@ void BlockLowering::check_name(const Node& variable) {
     const std::string written = without_blanks(text(*name));
     if (std::ranges::find(positions, written) == std::end(positions)) return;
     const Node* axis = child(variable, Field::index);
-    const auto number = axis == nullptr || kind_of(*axis) != Kind::number ? std::nullopt : read_integer(text(*axis));
+    const auto number =
+        axis == nullptr || kind_of(*axis) != Kind::number ? std::nullopt : read_integer(text(*axis));
     if (axis == nullptr || (number && (*number < 1 || *number > most_axes)))
         refuse_form(span(variable), "the number of an axis in [ ] behind the name", faults::suffix);
 }

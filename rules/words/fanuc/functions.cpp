@@ -10,7 +10,8 @@ constexpr std::string_view of_the_builder = "values for the machine's own functi
 constexpr std::string_view beside_call = "words of the block, no arguments";
 constexpr std::string_view stops_with_speed = "the program stops with a new speed: M3 or M4 may be meant";
 
-// Most numbers are the machine builder's; only those have a page here whose meaning is the same on nearly all machines.
+// Most numbers are the machine builder's; only those have a page here whose meaning is the same on nearly all
+// machines.
 // clang-format off
 constexpr BookLine lines[] = {
     code("M0", "T", "program stop"),

@@ -1,7 +1,7 @@
 //! Cycles of Haas lathes: contours, grooves, threads, holes on the axis and with live tools.
 //
-// Haas describes G71 and G72 in one block (with D) and in two (the first with U or W and R), all others in one
-// block, with D, I and K.
+// Haas describes G71 and G72 in one block (with D) and in two (the first with U or W and R), all others in
+// one block, with D, I and K.
 #include "rules/words/cited_lines.hpp"
 
 namespace maclint::code_books {
@@ -15,23 +15,29 @@ constexpr BookLine first_block = word("P", "HDIY:g71-od-id-stock-removal", "firs
                    stock_x = word("U", "HDIY:g71-od-id-stock-removal", "finishing stock in X, a diameter"),
                    stock_z = word("W", "HDIY:g71-od-id-stock-removal", "finishing stock in Z"),
                    rough_feed = word("F", "HDIY:g71-od-id-stock-removal", "feed").without("feed in force"),
-                   speed = word("S", "HDIY:g71-od-id-stock-removal", "spindle speed").without("speed in force"),
-                   tool = word("T", "HDIY:g71-od-id-stock-removal", "tool and offset").without("present tool");
-constexpr BookLine only_first = only_with("P", "Q", "HDIY:g71-od-id-stock-removal", "the contour has no last block"),
-                   only_last = only_with("Q", "P", "HDIY:g71-od-id-stock-removal", "the contour has no first block");
+                   speed =
+                       word("S", "HDIY:g71-od-id-stock-removal", "spindle speed").without("speed in force"),
+                   tool =
+                       word("T", "HDIY:g71-od-id-stock-removal", "tool and offset").without("present tool");
+constexpr BookLine only_first =
+                       only_with("P", "Q", "HDIY:g71-od-id-stock-removal", "the contour has no last block"),
+                   only_last =
+                       only_with("Q", "P", "HDIY:g71-od-id-stock-removal", "the contour has no first block");
 
 // Of a hole.
-constexpr BookLine position = word("X Y C H U V", "HDIY:g82-spot-drill-canned-cycle", "position of the hole"),
-                   depth = word("Z", "HDIY:g84-tapping-canned-cycle", "bottom of the hole"),
-                   way = word("W", "HDIY:g84-tapping-canned-cycle", "way to the bottom"),
-                   plane = word("R", "HDIY:g84-tapping-canned-cycle", "R plane").without("present position"),
-                   feed = word("F", "HDIY:g84-tapping-canned-cycle", "feed").without("feed in force"),
-                   lead = word("F", "HDIY:g84-tapping-canned-cycle", "feed; lead of the tap with G99").without("feed in force"),
-                   tap_speed = word("S", "HDIY:g84-tapping-canned-cycle", "speed of the tap").without("speed in force"),
-                   repeats = word("L", "HDIY:g82-spot-drill-canned-cycle", "number of repeats").without("1"),
-                   bottom_x = word("X U", "T", "bottom of the hole"),
-                   place_z = word("Z W Y C", "T", "position of the hole");
-constexpr BookLine has_bottom = needs("Z W", "HDIY:g84-tapping-canned-cycle", "bottom of the hole", "the hole has no bottom").kept();
+constexpr BookLine
+    position = word("X Y C H U V", "HDIY:g82-spot-drill-canned-cycle", "position of the hole"),
+    depth = word("Z", "HDIY:g84-tapping-canned-cycle", "bottom of the hole"),
+    way = word("W", "HDIY:g84-tapping-canned-cycle", "way to the bottom"),
+    plane = word("R", "HDIY:g84-tapping-canned-cycle", "R plane").without("present position"),
+    feed = word("F", "HDIY:g84-tapping-canned-cycle", "feed").without("feed in force"),
+    lead =
+        word("F", "HDIY:g84-tapping-canned-cycle", "feed; lead of the tap with G99").without("feed in force"),
+    tap_speed = word("S", "HDIY:g84-tapping-canned-cycle", "speed of the tap").without("speed in force"),
+    repeats = word("L", "HDIY:g82-spot-drill-canned-cycle", "number of repeats").without("1"),
+    bottom_x = word("X U", "T", "bottom of the hole"), place_z = word("Z W Y C", "T", "position of the hole");
+constexpr BookLine has_bottom =
+    needs("Z W", "HDIY:g84-tapping-canned-cycle", "bottom of the hole", "the hole has no bottom").kept();
 
 // clang-format off
 constexpr BookLine lines[] = {

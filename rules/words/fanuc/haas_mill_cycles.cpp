@@ -7,14 +7,17 @@ namespace {
 using namespace book;
 using enum Severity;
 
-// What every cycle of group 09 is told. A program may leave out R: the tool then starts from its present height.
+// What every cycle of group 09 is told. A program may leave out R: the tool then starts from its present
+// height.
 constexpr BookLine place = word("X Y", "H99:191", "position of the hole").without("present position"),
                    rotary = word("A B C", "T", "rotary position of the hole"),
-                   bottom = word("Z", "H99:191", "bottom of the hole").needed("the hole has no bottom").kept(),
+                   bottom =
+                       word("Z", "H99:191", "bottom of the hole").needed("the hole has no bottom").kept(),
                    plane = word("R", "H99:191", "R plane").without("present height"),
                    feed = word("F", "H99:191", "feed").without("feed in force"),
                    repeats = word("L", "H99:191", "number of holes, 0 stores the cycle alone").without("1"),
-                   cleaning = word("E", "HDIY:g82-spot-drill-canned-cycle", "spindle speed at which chips are thrown off");
+                   cleaning = word("E", "HDIY:g82-spot-drill-canned-cycle",
+                                   "spindle speed at which chips are thrown off");
 constexpr std::string_view call_takes_p = "the call takes it for its program";
 
 // clang-format off

@@ -22,9 +22,10 @@ constexpr std::string_view compensated = "the cycle wants G40 before";
 constexpr std::string_view other_speed = "the speed follows the diameter, and the passes do not meet";
 constexpr std::string_view no_polar = "polar interpolation takes no such code";
 
-// A cycle of two blocks tells them apart by their words: the first one of G74 to G76 has no end point. In one block, as
-// the Series 10/11 and others have it, D, I and K stand for what the first block says. A bare G90 in the first line of
-// a program is a habit of mills. 30i: PS0319 for a peck or step of 0, PS0320 for a negative one.
+// A cycle of two blocks tells them apart by their words: the first one of G74 to G76 has no end point. In one
+// block, as the Series 10/11 and others have it, D, I and K stand for what the first block says. A bare G90
+// in the first line of a program is a habit of mills. 30i: PS0319 for a peck or step of 0, PS0320 for a
+// negative one.
 // clang-format off
 constexpr BookLine lines[] = {
     code("G74", "MIYANO", "pecking along Z: face grooves, holes").in_systems("AB"),

@@ -15,7 +15,8 @@ constexpr std::string_view no_bottom = "the hole gets no depth, or one of an ear
 constexpr std::string_view in_ms = "it counts milliseconds, and the control stops";
 constexpr std::string_view no_polar = "polar interpolation takes no such code";
 
-// What a cycle is told stays until G80. Without Q the hole is drilled in one stroke; some write its number with a point.
+// What a cycle is told stays until G80. Without Q the hole is drilled in one stroke; some write its number
+// with a point.
 // clang-format off
 constexpr BookLine lines[] = {
     code("G80", "REF-MOD", "end of the drilling cycle"),

@@ -6,7 +6,8 @@ namespace {
 
 using namespace book;
 constexpr std::string_view of_16i = "FANUC 16i/18i/21i", of_30i = "FANUC 30i/0i-D";
-/// Where others that nobody has named write otherwise: a Haas moves in G0 within G112 and goes home with G28 alone.
+/// Where others that nobody has named write otherwise: a Haas moves in G0 within G112 and goes home with G28
+/// alone.
 constexpr std::string_view named = "fanuc-16i fanuc-0i-c fanuc-0i-d fanuc-30i";
 /// Series whose alarms the list has.
 constexpr std::string_view newer = "fanuc-0i-d fanuc-30i";

@@ -7,7 +7,8 @@ namespace {
 using namespace book;
 using enum Severity;
 constexpr std::string_view of_30i = "FANUC 30i/0i-D";
-/// Where others that nobody has named write otherwise: a Haas drills without R, and G87 bores with a stop there.
+/// Where others that nobody has named write otherwise: a Haas drills without R, and G87 bores with a stop
+/// there.
 constexpr std::string_view named = "fanuc-16i fanuc-0i-c fanuc-0i-d fanuc-30i";
 constexpr std::string_view silent_on_missing_peck = "fanuc fanuc-16i fanuc-0i-c";
 constexpr std::string_view stops_on_missing_peck = "fanuc-0i-d fanuc-30i";
