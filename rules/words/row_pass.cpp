@@ -72,7 +72,9 @@ RowPass::RowPass(std::span<const Rule* const> rules) {
 }
 
 void RowPass::look_at(const queries::WordsOfBlock& block, const RowIndex& index) {
-    if (index.empty()) return;
+    // A block of a person's or a post processor's has some ten words; rows ask each word for all others.
+    constexpr std::size_t most_words = 500;
+    if (index.empty() || block.words.size() > most_words) return;
     for (const Word& word : block.words)
         for (const auto entries : {index.rows_at(word), index.rows_at_address(word)})
             for (const RowIndex::Entry& entry : entries) look_at(block, index, entry, word);
