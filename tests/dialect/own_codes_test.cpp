@@ -14,10 +14,8 @@
 namespace maclint {
 namespace {
 
-using testing::Contains;
 using testing::ElementsAre;
 using testing::IsEmpty;
-using testing::Not;
 
 /// By letter and number, as ControlModel wants them.
 const ControlModel& machine() {

@@ -3,6 +3,7 @@
 #include "rules/words/known_codes.hpp"
 #include "tests/support/linted.hpp"
 
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -13,7 +14,6 @@ namespace maclint::test {
 namespace {
 
 using testing::ElementsAre;
-using testing::HasSubstr;
 using testing::IsEmpty;
 
 struct Machine123 {
@@ -88,9 +88,9 @@ TEST(CodesToLookAt, AreFew) {
     const auto unknown = codes_to_look_at(*find_control("fanuc-16i"));
     EXPECT_FALSE(unknown->codes.empty());
     syntax::CodeSet usual;
-    for (const int code : {0, 1, 2, 3, 17, 40, 43, 54, 80, 81, 90, 91})
+    for (const std::uint64_t code : {0U, 1U, 2U, 3U, 17U, 40U, 43U, 54U, 80U, 81U, 90U, 91U})
         usual.add(syntax::CodeSet::kind_of(0, code));
-    for (const int code : {3, 5, 6, 8, 9, 30}) usual.add(syntax::CodeSet::kind_of(1, code));
+    for (const std::uint64_t code : {3U, 5U, 6U, 8U, 9U, 30U}) usual.add(syntax::CodeSet::kind_of(1, code));
     EXPECT_FALSE(unknown->kinds.meets(usual)); // blocks of nothing else are not read for it
 }
 
