@@ -26,6 +26,8 @@ struct CodeBook {
         return {
             .language = language, .machine = machine, .sections = sections, .controls = controls, .rows = {}};
     }
+    /// Whether it is of the control's language and kind of machine.
+    [[nodiscard]] bool is_of_machine(const ControlModel& control) const;
     /// Whether its codes are those of the control.
     [[nodiscard]] bool is_of(const ControlModel& control) const;
 };

@@ -39,9 +39,12 @@ const std::multimap<PageOfCode, const CodePage*>& index() {
 
 } // namespace
 
+bool CodeBook::is_of_machine(const ControlModel& control) const {
+    return language == control.language && (!machine || *machine == control.machine);
+}
+
 bool CodeBook::is_of(const ControlModel& control) const {
-    return language == control.language && (!machine || *machine == control.machine) &&
-           is_one_of(control, controls, {});
+    return is_of_machine(control) && is_one_of(control, controls, {});
 }
 
 bool CodePage::is_of(const ControlModel& control) const {

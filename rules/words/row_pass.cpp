@@ -59,9 +59,9 @@ bool holds_between(const queries::WordsOfBlock& block, const WordRow& row) {
 
 /// Whether the row's code, which a shop could make a call of its own, is one of the named control's.
 bool is_builtin(const queries::WordsOfBlock& block, const RowForCode& row) {
-    constexpr double first_free = 100;
-    return !row.is_of_address() && !block.analysis.control().assumed && row.letter == 'G' &&
-           row.code >= first_free;
+    const ControlModel& control = block.analysis.control();
+    return !control.assumed && row.letter == 'G' && control.first_free_code != 0 &&
+           row.code >= control.first_free_code;
 }
 
 } // namespace

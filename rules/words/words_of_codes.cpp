@@ -14,9 +14,7 @@ namespace {
 
 /// Whether the page is of the control, or of one that may be meant.
 bool may_be_of(const CodePage& page, const ControlModel& control) {
-    const CodeBook& book = *page.book;
-    if (!control.assumed) return page.is_of(control);
-    return book.language == control.language && (!book.machine || *book.machine == control.machine);
+    return control.assumed ? page.book->is_of_machine(control) : page.is_of(control);
 }
 
 } // namespace
