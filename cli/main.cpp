@@ -5,6 +5,13 @@
 #include "cli/run.hpp"
 #include "cli/terminal.hpp"
 
+// jemalloc reads it, where it is linked: what is free goes back to the system, and a run under a limit of
+// memory gets by with a tenth less.
+extern "C" {
+extern const char* const malloc_conf;
+const char* const malloc_conf = "retain:false";
+}
+
 namespace {
 
 /// Before all other initialisers: in theirs CLI11 throws and jemalloc faults when they get no memory.

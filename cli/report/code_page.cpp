@@ -32,8 +32,8 @@ std::string source_of(const CodePage& page, const BookLine& line) {
 std::vector<std::string> sources_of(const CodePage& page) {
     std::vector<std::string> sources = {source_of(page, *page.head)};
     for (const BookLine& line : page.lines)
-        if (!line.source.empty() && std::ranges::find(sources, line.source) == sources.end())
-            sources.emplace_back(line.source);
+        if (!line.source.empty() && std::ranges::find(sources, line.source.view()) == sources.end())
+            sources.emplace_back(line.source.view());
     return sources;
 }
 

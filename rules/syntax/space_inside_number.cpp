@@ -45,8 +45,8 @@ bool is_part_of_number(char c) { return is_digit(c) || c == '.'; }
 
 /// The figure before the blank.
 std::size_t find_blank(std::string_view code) {
-    for (std::size_t at = code.find(' '); at != std::string_view::npos && at > 0;
-         at = code.find(' ', at + 1)) {
+    for (std::size_t at = code.find_first_of(" \t"); at != std::string_view::npos && at > 0;
+         at = code.find_first_of(" \t", at + 1)) {
         const std::size_t next = code.find_first_not_of(" \t", at);
         if (next == std::string_view::npos) break;
         if (is_part_of_number(code[at - 1]) && is_part_of_number(code[next])) return at - 1;

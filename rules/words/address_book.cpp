@@ -21,15 +21,15 @@ std::span<const AddressBook* const> all_address_books() {
 
 namespace {
 
-WordRow row_of(const AddressLine& line, std::string_view address, RowStatement says,
-               std::span<const RowAlarm> alarms, std::string_view effect) {
+WordRow row_of(const AddressLine& line, TableText address, RowStatement says,
+               std::span<const RowAlarm> alarms) {
     WordRow row{.says = says,
                 .code = "*",
                 .words = address,
                 .controls = line.controls,
                 .systems = line.systems,
                 .means = line.means,
-                .effect = effect,
+                .effect = "the control stops",
                 .severity = line.severity,
                 .source = line.source};
     std::ranges::copy(alarms, row.alarms.begin());
@@ -37,7 +37,7 @@ WordRow row_of(const AddressLine& line, std::string_view address, RowStatement s
 }
 
 /// Rows from `first` on once more for a control that nobody has named, where they warn.
-void add_milder(std::vector<WordRow>& rows, std::size_t first, std::string_view assumed) {
+void add_milder(std::vector<WordRow>& rows, std::size_t first, TableText assumed) {
     for (std::size_t i = first, end = rows.size(); i < end; ++i) {
         rows.push_back(rows[i]);
         rows.back().controls = assumed;
@@ -47,26 +47,26 @@ void add_milder(std::vector<WordRow>& rows, std::size_t first, std::string_view 
 
 } // namespace
 
-std::string_view meaning_of_address(std::string_view language, std::string_view address) {
+TableText meaning_of_address(std::string_view language, std::string_view address) {
     for (const AddressBook* book : all_address_books())
         for (const AddressLine& line : book->lines)
             if (book->language == language && has_word(line.addresses, address)) return line.means;
     return {};
 }
 
-std::vector<WordRow> rows_of(const AddressBook& book) {
+std::vector<WordRow> rows_of(const AddressBook& book, std::deque<std::string>& texts) {
     std::vector<WordRow> rows;
     for (const AddressLine& line : book.lines)
-        for (const std::string_view address : words_of(line.addresses)) {
+        for (const std::string_view word : words_of(line.addresses)) {
+            const TableText address = texts.emplace_back(word);
             const std::size_t first = rows.size();
-            if (line.whole)
-                rows.push_back(row_of(line, address, RowStatement::whole, book.point, "the control stops"));
+            if (line.whole) rows.push_back(row_of(line, address, RowStatement::whole, book.point));
             if (line.positive) {
-                rows.push_back(row_of(line, address, RowStatement::values, book.minus, "the control stops"));
+                rows.push_back(row_of(line, address, RowStatement::values, book.minus));
                 rows.back().least = 0;
             }
             if (line.most_digits != 0) {
-                rows.push_back(row_of(line, address, RowStatement::digits, book.digits, "the control stops"));
+                rows.push_back(row_of(line, address, RowStatement::digits, book.digits));
                 rows.back().most = line.most_digits;
             }
             if (line.severity == Severity::error && !book.assumed.empty())

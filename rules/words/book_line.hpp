@@ -4,7 +4,6 @@
 #include "rules/words/word_row.hpp"
 
 #include <cstdint>
-#include <string_view>
 
 namespace maclint {
 
@@ -24,9 +23,8 @@ struct BookLine {
     WordRow row;
     std::uint32_t line = 0; ///< of the manual
     Need need = Need::none;
-    std::string_view absent = {}; ///< what holds where the word is not written: "0", "feed in force"
-    std::string_view source =
-        {}; ///< key of docs/sources.md, where it is not the book's with `line`: "GH-ALM"
+    TableText absent = {}; ///< what holds where the word is not written: "0", "feed in force"
+    TableText source = {}; ///< key of docs/sources.md, where it is not the book's with `line`: "GH-ALM"
 
     template<class Value>
     [[nodiscard]] constexpr BookLine with(Value WordRow::*field, Value value) const {
@@ -36,14 +34,14 @@ struct BookLine {
     }
 
     /// The word is needed; `effect` is what comes of a block without it.
-    [[nodiscard]] constexpr BookLine needed(std::string_view effect = {}) const {
+    [[nodiscard]] constexpr BookLine needed(TableText effect = {}) const {
         BookLine copy = *this;
         copy.need = Need::likely;
         copy.row.effect = effect;
         return copy;
     }
     /// And the manual says so.
-    [[nodiscard]] constexpr BookLine required(std::string_view effect = {}) const {
+    [[nodiscard]] constexpr BookLine required(TableText effect = {}) const {
         BookLine copy = *this;
         copy.need = Need::sure;
         copy.row.effect = effect;
@@ -55,54 +53,50 @@ struct BookLine {
         return copy;
     }
     /// What comes of a value that is not taken.
-    [[nodiscard]] constexpr BookLine or_else(std::string_view effect) const {
+    [[nodiscard]] constexpr BookLine or_else(TableText effect) const {
         return with(&WordRow::effect, effect);
     }
-    [[nodiscard]] constexpr BookLine without(std::string_view what) const {
+    [[nodiscard]] constexpr BookLine without(TableText what) const {
         BookLine copy = *this;
         copy.absent = what;
         return copy;
     }
-    [[nodiscard]] constexpr BookLine when(std::string_view conditions) const {
+    [[nodiscard]] constexpr BookLine when(TableText conditions) const {
         return with(&WordRow::when, conditions);
     }
-    [[nodiscard]] constexpr BookLine unless_next(std::string_view codes) const {
+    [[nodiscard]] constexpr BookLine unless_next(TableText codes) const {
         return with(&WordRow::unless_next, codes);
     }
-    [[nodiscard]] constexpr BookLine after(std::string_view codes) const {
-        return with(&WordRow::after, codes);
-    }
-    [[nodiscard]] constexpr BookLine unless_after(std::string_view codes) const {
+    [[nodiscard]] constexpr BookLine after(TableText codes) const { return with(&WordRow::after, codes); }
+    [[nodiscard]] constexpr BookLine unless_after(TableText codes) const {
         return with(&WordRow::unless_after, codes);
     }
     /// Of a code: it stands elsewhere, too, where one of these codes comes later: WordRow::unless_later.
-    [[nodiscard]] constexpr BookLine also_before(std::string_view codes) const {
+    [[nodiscard]] constexpr BookLine also_before(TableText codes) const {
         return with(&WordRow::unless_later, codes);
     }
     [[nodiscard]] constexpr BookLine as(Severity severity) const {
         return with(&WordRow::severity, severity);
     }
-    [[nodiscard]] constexpr BookLine also(std::string_view aliases) const {
+    [[nodiscard]] constexpr BookLine also(TableText aliases) const {
         return with(&WordRow::aliases, aliases);
     }
     /// Only on these controls, of lathes with these systems.
-    [[nodiscard]] constexpr BookLine on(std::string_view controls) const {
+    [[nodiscard]] constexpr BookLine on(TableText controls) const {
         return with(&WordRow::controls, controls);
     }
-    [[nodiscard]] constexpr BookLine in_systems(std::string_view systems) const {
+    [[nodiscard]] constexpr BookLine in_systems(TableText systems) const {
         return with(&WordRow::systems, systems);
     }
     /// What a value leaves when it is divided by the number counts: WordRow::modulo.
     [[nodiscard]] constexpr BookLine rest_of(int number) const { return with(&WordRow::modulo, number); }
-    [[nodiscard]] constexpr BookLine under(std::string_view codes) const {
-        return with(&WordRow::under, codes);
-    }
+    [[nodiscard]] constexpr BookLine under(TableText codes) const { return with(&WordRow::under, codes); }
     /// The words stay while the code's group is in force: WordRow::kept.
     [[nodiscard]] constexpr BookLine kept() const { return with(&WordRow::kept, true); }
     /// Also in a block that calls a program: WordRow::in_calls.
     [[nodiscard]] constexpr BookLine in_calls() const { return with(&WordRow::in_calls, true); }
     /// The alarm that the control raises where the line is not kept, by its list.
-    [[nodiscard]] constexpr BookLine alarm(std::string_view list, std::string_view number) const {
+    [[nodiscard]] constexpr BookLine alarm(TableText list, TableText number) const {
         BookLine copy = *this;
         for (RowAlarm& place : copy.row.alarms)
             if (place.number.empty()) {
@@ -111,12 +105,12 @@ struct BookLine {
             }
         throw "there is no room for another alarm";
     }
-    [[nodiscard]] constexpr BookLine from(std::string_view key) const {
+    [[nodiscard]] constexpr BookLine from(TableText key) const {
         BookLine copy = *this;
         copy.source = key;
         return copy;
     }
-    [[nodiscard]] constexpr BookLine off(std::string_view reason) const {
+    [[nodiscard]] constexpr BookLine off(TableText reason) const {
         return with(&WordRow::off_reason, reason);
     }
 };

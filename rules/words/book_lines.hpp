@@ -5,15 +5,13 @@
 #include "rules/words/row_values.hpp"
 
 #include <cstdint>
-#include <string_view>
 
 namespace maclint {
 
 namespace book {
 
 /// `codes`: "G83", or several that say the same.
-constexpr BookLine code(std::string_view codes, std::uint32_t line, std::string_view means,
-                        std::string_view sections = {}) {
+constexpr BookLine code(TableText codes, std::uint32_t line, TableText means, TableText sections = {}) {
     return {BookLine::Kind::code,
             {.says = RowStatement::takes_only,
              .code = codes,
@@ -26,8 +24,7 @@ constexpr BookLine code(std::string_view codes, std::uint32_t line, std::string_
 }
 
 /// `takes`: see set_values(); empty: any value.
-constexpr BookLine word(std::string_view address, std::uint32_t line, std::string_view means,
-                        std::string_view takes = {}) {
+constexpr BookLine word(TableText address, std::uint32_t line, TableText means, TableText takes = {}) {
     BookLine result{BookLine::Kind::word,
                     {.says = RowStatement::values,
                      .code = {},
@@ -41,9 +38,8 @@ constexpr BookLine word(std::string_view address, std::uint32_t line, std::strin
     return result;
 }
 
-constexpr BookLine statement(RowStatement says, std::string_view words, std::string_view others,
-                             std::uint32_t line, std::string_view means, std::string_view effect,
-                             Severity severity = Severity::warning) {
+constexpr BookLine statement(RowStatement says, TableText words, TableText others, std::uint32_t line,
+                             TableText means, TableText effect, Severity severity = Severity::warning) {
     return {BookLine::Kind::statement,
             {.says = says,
              .code = {},
@@ -57,45 +53,41 @@ constexpr BookLine statement(RowStatement says, std::string_view words, std::str
 }
 
 /// One of the words at least; `means`: what they are together.
-constexpr BookLine needs(std::string_view words, std::uint32_t line, std::string_view means,
-                         std::string_view effect) {
+constexpr BookLine needs(TableText words, std::uint32_t line, TableText means, TableText effect) {
     return statement(RowStatement::needs, words, {}, line, means, effect);
 }
 /// None of the words.
-constexpr BookLine takes_not(std::string_view words, std::uint32_t line, std::string_view effect) {
+constexpr BookLine takes_not(TableText words, std::uint32_t line, TableText effect) {
     return statement(RowStatement::takes_not, words, {}, line, {}, effect);
 }
 /// One of the words or of the others, not both.
-constexpr BookLine excludes(std::string_view words, std::string_view others, std::uint32_t line,
-                            std::string_view effect) {
+constexpr BookLine excludes(TableText words, TableText others, std::uint32_t line, TableText effect) {
     return statement(RowStatement::excludes, words, others, line, {}, effect);
 }
 /// The words beside one of the others only; "O=1" is one with that value, "Q=1|2" with one of several.
-constexpr BookLine only_with(std::string_view words, std::string_view others, std::uint32_t line,
-                             std::string_view effect) {
+constexpr BookLine only_with(TableText words, TableText others, std::uint32_t line, TableText effect) {
     return statement(RowStatement::only_with, words, others, line, {}, effect);
 }
 /// A value under a condition (BookLine::when).
-constexpr BookLine value(std::string_view word, std::string_view takes, std::uint32_t line,
-                         std::string_view effect) {
+constexpr BookLine value(TableText word, TableText takes, std::uint32_t line, TableText effect) {
     BookLine result = statement(RowStatement::values, word, {}, line, {}, effect);
     set_values(result.row, takes);
     return result;
 }
 /// No word beside the code but these.
-constexpr BookLine alone(std::string_view words, std::uint32_t line, std::string_view effect) {
+constexpr BookLine alone(TableText words, std::uint32_t line, TableText effect) {
     return statement(RowStatement::alone, words, {}, line, {}, effect);
 }
 /// Not in a block with one of these codes.
-constexpr BookLine apart(std::string_view codes, std::uint32_t line, std::string_view effect) {
+constexpr BookLine apart(TableText codes, std::uint32_t line, TableText effect) {
     return statement(RowStatement::apart, {}, codes, line, {}, effect);
 }
 /// The next block with a code of the same letter holds one of these.
-constexpr BookLine precedes(std::string_view codes, std::uint32_t line, std::string_view effect) {
+constexpr BookLine precedes(TableText codes, std::uint32_t line, TableText effect) {
     return statement(RowStatement::precedes, {}, codes, line, {}, effect);
 }
 /// The next block with a code of the same letter holds another one than these.
-constexpr BookLine not_before(std::string_view codes, std::uint32_t line, std::string_view effect) {
+constexpr BookLine not_before(TableText codes, std::uint32_t line, TableText effect) {
     return statement(RowStatement::precedes, codes, {}, line, {}, effect);
 }
 

@@ -27,7 +27,8 @@ class Writer {
         for (const std::string_view language : languages_of_chapters())
             add_table({.language = language, .rows = {}}, rows_of_places(language));
         for (const AddressBook* book : all_address_books())
-            add_table({.language = book->language, .machine = book->machine, .rows = {}}, rows_of(*book));
+            add_table({.language = book->language, .machine = book->machine, .rows = {}},
+                      rows_of(*book, texts_));
         std::vector<const WordTable*> all;
         for (const WordTable& table : tables_) all.push_back(&table);
         return all;
@@ -45,7 +46,7 @@ class Writer {
         std::vector<WordRow> rows;
         for (PlacelessCode& code : codes_without_place(language)) {
             WordRow row = on_page(*code.page, *code.page->head, RowStatement::refused);
-            row.code = code.code;
+            row.code = kept(std::string(code.code));
             row.sections = kept(std::move(code.sections));
             row.severity = Severity::error;
             rows.push_back(row);
@@ -53,7 +54,7 @@ class Writer {
         return rows;
     }
 
-    std::string_view kept(std::string text) { return texts_.emplace_back(std::move(text)); }
+    TableText kept(std::string text) { return texts_.emplace_back(std::move(text)); }
 
     /// The row under the code of its page.
     WordRow on_page(const CodePage& page, const BookLine& line, RowStatement says) {
@@ -71,7 +72,7 @@ class Writer {
         return row;
     }
 
-    static std::string_view meaning_on(const CodePage& page, std::string_view words) {
+    static TableText meaning_on(const CodePage& page, std::string_view words) {
         for (const BookLine& line : page.lines)
             if (line.kind == BookLine::Kind::word &&
                 (line.row.words == words || has_word(line.row.words, words)))

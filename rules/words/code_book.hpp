@@ -14,9 +14,9 @@ struct CodeBook {
     std::string_view language;           ///< of the control: "dinplus"
     std::string_view chapter;            ///< "turning cycles"
     std::string_view source;             ///< key of docs/sources.md that the lines count in: "SEED-003"
-    std::string_view sections;           ///< where a code names none
+    TableText sections;                  ///< where a code names none
     std::optional<Machine> machine = {}; ///< nothing: of mills and lathes
-    std::string_view controls = {};      ///< names or models, where a code names none; empty: any
+    TableText controls = {};             ///< names or models, where a code names none; empty: any
     /// Pages of the manual are missing: nothing is said of codes and words that it does not name.
     bool partial = false;
     std::span<const BookLine> lines;

@@ -16,7 +16,7 @@ struct CodePage {
     std::span<const BookLine> lines; ///< its words, then the statements on them
 
     /// Names of sections, blanks between them.
-    [[nodiscard]] std::string_view sections() const {
+    [[nodiscard]] TableText sections() const {
         return head->row.sections.empty() ? book->sections : head->row.sections;
     }
     /// Whether the control has the code with these words.

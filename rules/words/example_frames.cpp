@@ -26,7 +26,7 @@ const ControlModel& example_control(const RowForCode& row) {
         if (!control->assumed) break;
     }
     if (row.table->machine == Machine::lathe && control->machine != Machine::lathe)
-        control = control->lathe_of(row.row->systems.empty() ? 'A' : row.row->systems.front());
+        control = control->lathe_of(row.row->systems.empty() ? 'A' : row.row->systems.view().front());
     return *control;
 }
 

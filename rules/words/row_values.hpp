@@ -34,10 +34,11 @@ constexpr double take_number(std::string_view& text) {
 
 /// Sets the values that a word takes: "0 1 2", "1..127", ">0", ">=0", ">-60 <60". Anything else does not
 /// compile.
-constexpr void set_values(WordRow& row, std::string_view takes) {
+constexpr void set_values(WordRow& row, TableText text) {
+    std::string_view takes = text;
     if (takes.empty()) return;
     if (takes.find("..") == std::string_view::npos && takes.front() != '<' && takes.front() != '>') {
-        row.values = takes;
+        row.values = text;
         return;
     }
     while (!takes.empty()) {

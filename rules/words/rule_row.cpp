@@ -30,13 +30,13 @@ std::string key_of(const RowForCode& code) {
     const bool names_words = row.says != RowStatement::takes_only && row.says != RowStatement::refused &&
                              row.says != RowStatement::precedes;
     if (!row.words.empty() && names_words) key += "." + joined(row.words, "+");
-    const std::string_view forbidden = row.says == RowStatement::apart      ? row.others
-                                       : must_not_precede                   ? row.words
-                                       : row.says == RowStatement::encloses ? row.words
-                                                                            : std::string_view();
+    const TableText forbidden = row.says == RowStatement::apart      ? row.others
+                                : must_not_precede                   ? row.words
+                                : row.says == RowStatement::encloses ? row.words
+                                                                     : TableText();
     if (!row.others.empty() && row.says != RowStatement::precedes && forbidden.empty())
         key += "-" + joined(row.others, "+");
-    for (const std::string_view codes : {forbidden, row.under, row.after})
+    for (const TableText codes : {forbidden, row.under, row.after})
         if (!codes.empty()) key += "-" + std::string(words_of(codes).front());
     for (const std::string_view condition : words_of(row.when))
         key += condition.starts_with('-') ? "-NO" + std::string(condition.substr(1))

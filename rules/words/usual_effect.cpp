@@ -3,7 +3,7 @@
 
 namespace maclint {
 
-std::string_view usual_effect(RowStatement says) {
+TableText usual_effect(RowStatement says) {
     switch (says) {
     case RowStatement::needs: return "the code lacks what it works with";
     case RowStatement::takes_not:

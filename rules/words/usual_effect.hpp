@@ -2,15 +2,14 @@
 #pragma once
 
 #include "rules/check.hpp"
-
-#include <string_view>
+#include "rules/words/table_text.hpp"
 
 namespace maclint {
 
 /// What comes of a value that a list of the manual does not hold.
-inline constexpr std::string_view no_other_value = "the manual knows no other";
+inline constexpr TableText no_other_value = "the manual knows no other";
 
 /// A clause, as WordRow::effect.
-[[nodiscard]] std::string_view usual_effect(RowStatement says);
+[[nodiscard]] TableText usual_effect(RowStatement says);
 
 } // namespace maclint

@@ -4,6 +4,7 @@
 #include "analyzer/program/tables.hpp"
 #include "rules/finding.hpp"
 #include "rules/rule.hpp"
+#include "rules/words/table_text.hpp"
 
 #include <array>
 #include <limits>
@@ -15,8 +16,8 @@ namespace maclint {
 
 /// An alarm that a control raises where a row is not kept.
 struct RowAlarm {
-    std::string_view control = {}; ///< ControlModel::alarms: "FANUC 16i/18i/21i"; empty: none is known
-    std::string_view number = {};
+    TableText control = {}; ///< ControlModel::alarms: "FANUC 16i/18i/21i"; empty: none is known
+    TableText number = {};
 };
 
 /// One line of a table. What a field does not say holds anywhere: in every section, whatever is in force.
@@ -25,12 +26,12 @@ struct WordRow {
     RowStatement says; ///< what is said of `words`; each kind is a rule of its own
     /// "G83", or several that say the same: each has a key of its own. "*": of `words`, a single address, in
     /// any block.
-    std::string_view code;
-    std::string_view words = {}; ///< addresses: "Q", "X Y Z"; of what precedes, codes that must not follow
+    TableText code;
+    TableText words = {}; ///< addresses: "Q", "X Y Z"; of what precedes, codes that must not follow
     /// Addresses, beside which "O=1|2" is one with such a value; of what precedes or stands apart, codes.
     /// Of blocks that the words enclose: codes that must not stand between.
-    std::string_view others = {};
-    std::string_view first_block = {}; ///< of those blocks: codes of which the first one holds one
+    TableText others = {};
+    TableText first_block = {}; ///< of those blocks: codes of which the first one holds one
 
     /// Of a value, or of a number of words: the bounds and the values allowed. A word whose value is
     /// calculated is not looked at.
@@ -38,39 +39,39 @@ struct WordRow {
     double most = std::numeric_limits<double>::infinity();
     bool above_least = false; ///< the least itself is too little
     bool below_most = false;
-    std::string_view values = {}; ///< "0 1 2"; others are wrong
+    TableText values = {}; ///< "0 1 2"; others are wrong
     int modulo = 0; ///< what a value leaves when it is divided by this counts, and not the value; 0: itself
 
     /// Only there: names of sections (PROGRAM_HEAD for one of two words), codes of which one is surely in
     /// force in the block, its own included.
-    std::string_view sections = {};
-    std::string_view under = {};
+    TableText sections = {};
+    TableText under = {};
     /// Only where the block's words are so, all of them: "A" stands there, "-A" does not, "A=1|2" has one of
     /// these values, "A!1|2" another one, "A?1|2" has one of them or is missing. A value that is calculated
     /// may be any: the row does not hold.
-    std::string_view when = {};
+    TableText when = {};
     /// Codes: not where the next block holds one of them; only, or not, where the block before does.
-    std::string_view unless_next = {};
-    std::string_view unless_later = {}; ///< codes of which one stands in a later block of the section
-    std::string_view after = {};
-    std::string_view unless_after = {};
+    TableText unless_next = {};
+    TableText unless_later = {}; ///< codes of which one stands in a later block of the section
+    TableText after = {};
+    TableText unless_after = {};
     /// Only on controls of these names or models; empty: on all of the table. One that nobody has named is
     /// "fanuc".
-    std::string_view controls = {};
-    std::string_view systems = {}; ///< of a lathe: "A", "BC"; empty: any
+    TableText controls = {};
+    TableText systems = {}; ///< of a lathe: "A", "BC"; empty: any
     bool kept =
         false; ///< the words stay while a code of its group is in force: only its first block needs them
     bool in_calls = false; ///< also in blocks that call a program: its code does
 
-    std::string_view means = {}; ///< what the words are, without an article before: "depth of a peck"
+    TableText means = {}; ///< what the words are, without an article before: "depth of a peck"
     /// What comes of it at the machine, a sentence that begins with a small letter, without its full stop:
     /// "the hole is drilled in one stroke".
-    std::string_view effect;
+    TableText effect;
     Severity severity;
     std::array<RowAlarm, 3> alarms = {};
-    std::string_view off_reason = {}; ///< why it is off by default; empty: it is on
-    std::string_view aliases = {};    ///< further codes of rules that are this row: "DIN613"
-    std::string_view source;          ///< key of docs/sources.md with its place: "SEED-003:12468"
+    TableText off_reason = {}; ///< why it is off by default; empty: it is on
+    TableText aliases = {};    ///< further codes of rules that are this row: "DIN613"
+    TableText source;          ///< key of docs/sources.md with its place: "SEED-003:12468"
 };
 
 /// Rows of one language.

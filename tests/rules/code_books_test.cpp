@@ -154,8 +154,9 @@ TEST(Chapters, HaveEachWordOfACodeOnce) {
         for (const BookLine& line : page.lines) {
             if (line.kind != BookLine::Kind::word) continue;
             EXPECT_TRUE(words.insert(line.row.words).second)
-                << page.head->row.code << " has " << line.row.words << " twice";
-            EXPECT_FALSE(line.row.means.empty()) << page.head->row.code << " " << line.row.words;
+                << page.head->row.code.view() << " has " << line.row.words.view() << " twice";
+            EXPECT_FALSE(line.row.means.empty())
+                << page.head->row.code.view() << " " << line.row.words.view();
             EXPECT_TRUE(line.line != 0U || !line.source.empty());
         }
     }
@@ -176,7 +177,7 @@ TEST(Chapters, NameWordsAndCodesThatThereAre) {
                 EXPECT_TRUE(words.contains(word) || line.row.says == RowStatement::needs ||
                             line.row.says == RowStatement::takes_not || has_word(of_any, word) ||
                             line.row.says == RowStatement::until)
-                    << page.head->row.code << " takes no " << word;
+                    << page.head->row.code.view() << " takes no " << word;
             for (const std::string_view codes : {line.row.after, line.row.unless_after, line.row.unless_next})
                 for (const std::string_view code : words_of(codes))
                     EXPECT_FALSE(pages_of_code(page.book->language, code).empty()) << code;

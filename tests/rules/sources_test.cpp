@@ -40,10 +40,11 @@ TEST(Sources, AreExplainedKeyByKey) {
             EXPECT_TRUE(keys.contains(key_of(source))) << rule->code << ": " << source;
     for (const RuleRow& row : all_rule_rows())
         for (const RowForCode& one : row.rows)
-            EXPECT_TRUE(keys.contains(key_of(one.row->source))) << row.name() << ": " << one.row->source;
+            EXPECT_TRUE(keys.contains(key_of(one.row->source)))
+                << row.name() << ": " << one.row->source.view();
     for (const CodePage& page : all_code_pages())
         for (const BookLine& line : page.lines)
-            EXPECT_TRUE(line.source.empty() || keys.contains(key_of(line.source))) << line.source;
+            EXPECT_TRUE(line.source.empty() || keys.contains(key_of(line.source))) << line.source.view();
 }
 
 TEST(Sources, AreNamedInThePagesOfTheTerminalAsInTheTable) {

@@ -86,8 +86,9 @@ TEST_P(WordRows, SayWhatComesOfItAndWhereThatIsWritten) {
         SCOPED_TRACE(one.rule_row->name());
         const WordRow& row = *one.row->row;
         ASSERT_FALSE(row.effect.empty());
-        EXPECT_TRUE(std::islower(static_cast<unsigned char>(row.effect.front())) != 0) << row.effect;
-        EXPECT_NE(row.effect.back(), '.') << row.effect;
+        EXPECT_TRUE(std::islower(static_cast<unsigned char>(row.effect.view().front())) != 0)
+            << row.effect.view();
+        EXPECT_NE(row.effect.view().back(), '.') << row.effect.view();
         EXPECT_FALSE(row.source.empty());
         const bool has_words = row.says != RowStatement::alone && row.says != RowStatement::precedes &&
                                row.says != RowStatement::apart && row.says != RowStatement::takes_only &&
@@ -102,7 +103,7 @@ TEST_P(WordRows, NameValuesAndControlsThatThereAre) {
     for (const Case& one : GetParam().all) {
         SCOPED_TRACE(one.rule_row->name());
         const WordRow& row = *one.row->row;
-        EXPECT_EQ(row.values.find(','), std::string_view::npos) << "blanks separate values";
+        EXPECT_EQ(row.values.view().find(','), std::string_view::npos) << "blanks separate values";
         const bool has_bounds = std::isfinite(row.least) || std::isfinite(row.most);
         const bool bounds = row.says == RowStatement::values || row.says == RowStatement::digits ||
                             row.says == RowStatement::at_most;

@@ -7,10 +7,10 @@ namespace {
 using namespace book;
 using enum Severity;
 
-constexpr std::string_view two_points = "the point is told by X and C or by XK and YK";
-constexpr std::string_view two_angles = "the angle is told by C or as a length by CY";
-constexpr std::string_view two_arcs = "the arc is told by its centre or by its radius";
-constexpr std::string_view in_contours = "it counts in a contour that G80 closes";
+constexpr TableText two_points = "the point is told by X and C or by XK and YK";
+constexpr TableText two_angles = "the angle is told by C or as a length by CY";
+constexpr TableText two_arcs = "the arc is told by its centre or by its radius";
+constexpr TableText in_contours = "it counts in a contour that G80 closes";
 
 // clang-format off
 constexpr BookLine lines[] = {

@@ -9,10 +9,10 @@ using namespace book;
 using enum Severity;
 
 /// Cycles that take the oversizes set before them [l.12867, l.12893, l.14329].
-constexpr std::string_view turning_cycles = "G81 G82 G83 G810 G820 G830 G835 G860 G869 G870 G890 G891 G895";
+constexpr TableText turning_cycles = "G81 G82 G83 G810 G820 G830 G835 G860 G869 G870 G890 G891 G895";
 
 /// What may stand between G41 and the straight move: it moves nothing [l.12718].
-constexpr std::string_view no_moves =
+constexpr TableText no_moves =
     "G4 G7 G8 G9 G26 G126 G226 G326 G47 G147 G48 G64 G93 G193 G293 G393 G94 G95 G195 G295 G395 G96 G196 G296 "
     "G396 G97 G197 G297 G397 G148 G149 G150 G151 G908 G909 G919";
 

@@ -9,8 +9,8 @@ using namespace book;
 using enum Severity;
 
 // What a pattern repeats: not G72, which machines what a contour names, nor G73 [l.15552, l.15554].
-constexpr std::string_view face_cycles = "G71 G74 G36 G791 G793 G75 G840 G845 G846 G799";
-constexpr std::string_view lateral_cycles = "G71 G74 G36 G314 G315 G317 G792 G794 G75 G840 G845 G846 G799";
+constexpr TableText face_cycles = "G71 G74 G36 G791 G793 G75 G840 G845 G846 G799";
+constexpr TableText lateral_cycles = "G71 G74 G36 G314 G315 G317 G792 G794 G75 G840 G845 G846 G799";
 
 // clang-format off
 constexpr BookLine lines[] = {

@@ -6,7 +6,7 @@ namespace {
 
 using namespace book;
 
-constexpr std::string_view not_described = "the manual names it without saying what it takes";
+constexpr TableText not_described = "the manual names it without saying what it takes";
 
 // clang-format off
 constexpr BookLine lines[] = {

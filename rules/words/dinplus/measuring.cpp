@@ -7,7 +7,7 @@ namespace {
 using namespace book;
 using enum Severity;
 
-constexpr std::string_view g149_takes_r1 = "a G149 correction is written with R1 alone";
+constexpr TableText g149_takes_r1 = "a G149 correction is written with R1 alone";
 
 // Words that mean the same in many cycles.
 constexpr BookLine measuring_path(std::uint32_t line) {

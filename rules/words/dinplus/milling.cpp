@@ -9,11 +9,11 @@ using namespace book;
 using enum Severity;
 
 /// Figures, and the start points of free contours, that a cycle may have in the blocks behind it.
-constexpr std::string_view figures = "G100 G110 G301 G302 G303 G304 G305 G307 G311 G312 G313 G314 G315 G317";
-constexpr std::string_view no_contour = "the cycle has no contour to machine";
-constexpr std::string_view no_text = "there is nothing to engrave";
-constexpr std::string_view no_height = "the characters have no height";
-constexpr std::string_view no_depth = "the characters have no depth";
+constexpr TableText figures = "G100 G110 G301 G302 G303 G304 G305 G307 G311 G312 G313 G314 G315 G317";
+constexpr TableText no_contour = "the cycle has no contour to machine";
+constexpr TableText no_text = "there is nothing to engrave";
+constexpr TableText no_height = "the characters have no height";
+constexpr TableText no_depth = "the characters have no depth";
 
 // clang-format off
 constexpr BookLine lines[] = {

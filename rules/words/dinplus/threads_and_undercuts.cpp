@@ -8,9 +8,9 @@ namespace {
 using namespace book;
 using enum Severity;
 
-constexpr std::string_view no_pitch = "the thread has no pitch";
-constexpr std::string_view no_taper = "nothing gives the taper";
-constexpr std::string_view other_cuts = "this kind of infeed finds the number of cuts itself";
+constexpr TableText no_pitch = "the thread has no pitch";
+constexpr TableText no_taper = "nothing gives the taper";
+constexpr TableText other_cuts = "this kind of infeed finds the number of cuts itself";
 
 // clang-format off
 constexpr BookLine lines[] = {

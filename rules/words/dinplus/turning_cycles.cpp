@@ -8,7 +8,7 @@ namespace {
 using namespace book;
 using enum Severity;
 
-constexpr std::string_view no_contour = "the cycle has no contour to machine";
+constexpr TableText no_contour = "the cycle has no contour to machine";
 
 // clang-format off
 constexpr BookLine lines[] = {

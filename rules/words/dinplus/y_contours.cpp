@@ -9,7 +9,7 @@ using enum Severity;
 
 // clang-format off
 /// Of the table of characters [l.17784]; 252 is printed as 7252.
-constexpr std::string_view characters =
+constexpr TableText characters =
     "32 33 37 38 40 41 43 44 45 46 47 48 49 50 51 52 53 54 55 56 57 58 60 61 62 63 64 65 66 67 68 69 70 71 72 73 74 75 76 77 78 79 80 81 82 83 84 85 86 87 88 89 90 91 93 95 97 98 99 100 101 102 103 104 105 106 107 108 109 110 111 112 113 114 115 116 117 118 119 120 121 122 174 181 186 196 214 215 216 220 223 228 246 252 8364";
 
 constexpr BookLine lines[] = {

@@ -4,13 +4,13 @@
 namespace maclint::address_books {
 namespace {
 
-constexpr std::string_view of_16i = "FANUC 16i/18i/21i", of_30i = "FANUC 30i/0i-D";
+constexpr TableText of_16i = "FANUC 16i/18i/21i", of_30i = "FANUC 30i/0i-D";
 constexpr RowAlarm point[] = {{of_16i, "007"}, {of_30i, "007"}};
 constexpr RowAlarm minus[] = {{of_16i, "006"}, {of_30i, "006"}};
 constexpr RowAlarm digits[] = {{of_16i, "003"}, {of_30i, "003"}};
 
-constexpr std::string_view named = "fanuc-16i fanuc-0i-c fanuc-0i-d fanuc-30i";
-constexpr std::string_view of_haas = "haas haas-1999";
+constexpr TableText named = "fanuc-16i fanuc-0i-c fanuc-0i-d fanuc-30i";
+constexpr TableText of_haas = "haas haas-1999";
 using enum Severity;
 
 // P has no point either, but is left to the codes: a dwell in seconds, an angle, a lead have one on some

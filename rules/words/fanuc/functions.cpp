@@ -5,10 +5,10 @@ namespace maclint::code_books {
 namespace {
 
 using namespace book;
-constexpr std::string_view builders = "P Q R L I J K";
-constexpr std::string_view of_the_builder = "values for the machine's own function";
-constexpr std::string_view beside_call = "words of the block, no arguments";
-constexpr std::string_view stops_with_speed = "the program stops with a new speed: M3 or M4 may be meant";
+constexpr TableText builders = "P Q R L I J K";
+constexpr TableText of_the_builder = "values for the machine's own function";
+constexpr TableText beside_call = "words of the block, no arguments";
+constexpr TableText stops_with_speed = "the program stops with a new speed: M3 or M4 may be meant";
 
 // Most numbers are the machine builder's; only those have a page here whose meaning is the same on nearly all
 // machines.

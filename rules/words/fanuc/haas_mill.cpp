@@ -6,8 +6,8 @@ namespace {
 
 using namespace book;
 
-constexpr std::string_view axes = "X Y Z A B C";
-constexpr std::string_view later = "haas"; // codes that a control of 1999 does not have
+constexpr TableText axes = "X Y Z A B C";
+constexpr TableText later = "haas"; // codes that a control of 1999 does not have
 
 // clang-format off
 constexpr BookLine lines[] = {

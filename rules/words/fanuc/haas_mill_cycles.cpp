@@ -18,7 +18,7 @@ constexpr BookLine place = word("X Y", "H99:191", "position of the hole").withou
                    repeats = word("L", "H99:191", "number of holes, 0 stores the cycle alone").without("1"),
                    cleaning = word("E", "HDIY:g82-spot-drill-canned-cycle",
                                    "spindle speed at which chips are thrown off");
-constexpr std::string_view call_takes_p = "the call takes it for its program";
+constexpr TableText call_takes_p = "the call takes it for its program";
 
 // clang-format off
 constexpr BookLine lines[] = {

@@ -5,22 +5,22 @@ namespace maclint::code_books {
 namespace {
 
 using namespace book;
-constexpr std::string_view of_16i = "FANUC 16i/18i/21i", of_30i = "FANUC 30i/0i-D";
+constexpr TableText of_16i = "FANUC 16i/18i/21i", of_30i = "FANUC 30i/0i-D";
 /// Where others that nobody has named write otherwise.
-constexpr std::string_view named = "fanuc-16i fanuc-0i-c fanuc-0i-d fanuc-30i";
+constexpr TableText named = "fanuc-16i fanuc-0i-c fanuc-0i-d fanuc-30i";
 
-constexpr std::string_view polar = "G12.1 G112";
+constexpr TableText polar = "G12.1 G112";
 
-constexpr std::string_view no_peck = "the control stops, or cuts to the end in one stroke";
-constexpr std::string_view no_step = "the control stops: it has no step towards the end point";
-constexpr std::string_view no_sign = "the control stops: the end point gives the direction";
-constexpr std::string_view no_thread = "the thread has no height, and the control stops";
-constexpr std::string_view no_infeed = "no pass has a depth, and the control stops";
-constexpr std::string_view no_lead = "the feed in force is the lead";
-constexpr std::string_view point_counts = "it counts thousandths, and the control stops";
-constexpr std::string_view compensated = "the cycle wants G40 before";
-constexpr std::string_view other_speed = "the speed follows the diameter, and the passes do not meet";
-constexpr std::string_view no_polar = "polar interpolation takes no such code";
+constexpr TableText no_peck = "the control stops, or cuts to the end in one stroke";
+constexpr TableText no_step = "the control stops: it has no step towards the end point";
+constexpr TableText no_sign = "the control stops: the end point gives the direction";
+constexpr TableText no_thread = "the thread has no height, and the control stops";
+constexpr TableText no_infeed = "no pass has a depth, and the control stops";
+constexpr TableText no_lead = "the feed in force is the lead";
+constexpr TableText point_counts = "it counts thousandths, and the control stops";
+constexpr TableText compensated = "the cycle wants G40 before";
+constexpr TableText other_speed = "the speed follows the diameter, and the passes do not meet";
+constexpr TableText no_polar = "polar interpolation takes no such code";
 
 // A cycle of two blocks tells them apart by their words: the first one of G74 to G76 has no end point. In one
 // block, as the Series 10/11 and others have it, D, I and K stand for what the first block says. A bare G90

@@ -6,20 +6,20 @@ namespace {
 
 using namespace book;
 using enum Severity;
-constexpr std::string_view of_16i = "FANUC 16i/18i/21i", of_30i = "FANUC 30i/0i-D";
+constexpr TableText of_16i = "FANUC 16i/18i/21i", of_30i = "FANUC 30i/0i-D";
 /// Where others that nobody has named write otherwise.
-constexpr std::string_view named = "fanuc-16i fanuc-0i-c fanuc-0i-d fanuc-30i";
+constexpr TableText named = "fanuc-16i fanuc-0i-c fanuc-0i-d fanuc-30i";
 /// Series whose alarms the list has.
-constexpr std::string_view newer = "fanuc-0i-d fanuc-30i";
-constexpr std::string_view axes = "X Y Z U V W A B C H";
-constexpr std::string_view polar = "G12.1 G112";
+constexpr TableText newer = "fanuc-0i-d fanuc-30i";
+constexpr TableText axes = "X Y Z U V W A B C H";
+constexpr TableText polar = "G12.1 G112";
 
-constexpr std::string_view no_polar = "polar interpolation takes no such code";
-constexpr std::string_view no_tool = "the control takes no tool in this block";
-constexpr std::string_view no_offset = "there is no such work offset";
-constexpr std::string_view nothing_is_set = "nothing is set";
-constexpr std::string_view other_words = "words of the option";
-constexpr std::string_view any_words = "P Q R I J K L";
+constexpr TableText no_polar = "polar interpolation takes no such code";
+constexpr TableText no_tool = "the control takes no tool in this block";
+constexpr TableText no_offset = "there is no such work offset";
+constexpr TableText nothing_is_set = "nothing is set";
+constexpr TableText other_words = "words of the option";
+constexpr TableText any_words = "P Q R I J K L";
 
 // clang-format off
 constexpr BookLine lines[] = {

@@ -5,15 +5,15 @@ namespace maclint::code_books {
 namespace {
 
 using namespace book;
-constexpr std::string_view of_16i = "FANUC 16i/18i/21i", of_30i = "FANUC 30i/0i-D";
+constexpr TableText of_16i = "FANUC 16i/18i/21i", of_30i = "FANUC 30i/0i-D";
 /// Where others that nobody has named write otherwise.
-constexpr std::string_view named = "fanuc-16i fanuc-0i-c fanuc-0i-d fanuc-30i";
+constexpr TableText named = "fanuc-16i fanuc-0i-c fanuc-0i-d fanuc-30i";
 
-constexpr std::string_view polar = "G12.1 G112";
+constexpr TableText polar = "G12.1 G112";
 
-constexpr std::string_view no_bottom = "the hole gets no depth, or one of an earlier cycle";
-constexpr std::string_view in_ms = "it counts milliseconds, and the control stops";
-constexpr std::string_view no_polar = "polar interpolation takes no such code";
+constexpr TableText no_bottom = "the hole gets no depth, or one of an earlier cycle";
+constexpr TableText in_ms = "it counts milliseconds, and the control stops";
+constexpr TableText no_polar = "polar interpolation takes no such code";
 
 // What a cycle is told stays until G80. Without Q the hole is drilled in one stroke; some write its number
 // with a point.

@@ -5,22 +5,22 @@ namespace maclint::code_books {
 namespace {
 
 using namespace book;
-constexpr std::string_view of_16i = "FANUC 16i/18i/21i", of_30i = "FANUC 30i/0i-D";
+constexpr TableText of_16i = "FANUC 16i/18i/21i", of_30i = "FANUC 30i/0i-D";
 /// Where others that nobody has named write otherwise: a Haas moves in G0 within G112 and goes home with G28
 /// alone.
-constexpr std::string_view named = "fanuc-16i fanuc-0i-c fanuc-0i-d fanuc-30i";
+constexpr TableText named = "fanuc-16i fanuc-0i-c fanuc-0i-d fanuc-30i";
 /// Series whose alarms the list has.
-constexpr std::string_view newer = "fanuc-0i-d fanuc-30i";
-constexpr std::string_view axes = "X Y Z U V W A B C H";
-constexpr std::string_view polar = "G12.1 G112";
+constexpr TableText newer = "fanuc-0i-d fanuc-30i";
+constexpr TableText axes = "X Y Z U V W A B C H";
+constexpr TableText polar = "G12.1 G112";
 
-constexpr std::string_view no_polar = "polar interpolation takes no such code";
-constexpr std::string_view one_corner = "a corner has one chamfer or one radius";
-constexpr std::string_view no_corner = "a thread ends in no corner";
-constexpr std::string_view no_angle = "there is no such angle";
-constexpr std::string_view no_move = "no axis moves";
-constexpr std::string_view other_speed = "the speed follows the diameter, and the passes do not meet";
-constexpr std::string_view point_counts = "it counts thousandths, and the control stops";
+constexpr TableText no_polar = "polar interpolation takes no such code";
+constexpr TableText one_corner = "a corner has one chamfer or one radius";
+constexpr TableText no_corner = "a thread ends in no corner";
+constexpr TableText no_angle = "there is no such angle";
+constexpr TableText no_move = "no axis moves";
+constexpr TableText other_speed = "the speed follows the diameter, and the passes do not meet";
+constexpr TableText point_counts = "it counts thousandths, and the control stops";
 
 // U, W and H are the steps of X, Z and C in system A; some builders read them in B and C, too.
 // clang-format off

@@ -6,17 +6,17 @@ namespace {
 
 using namespace book;
 using enum Severity;
-constexpr std::string_view of_16i = "FANUC 16i/18i/21i", of_30i = "FANUC 30i/0i-D";
+constexpr TableText of_16i = "FANUC 16i/18i/21i", of_30i = "FANUC 30i/0i-D";
 /// Where others that nobody has named write otherwise.
-constexpr std::string_view named = "fanuc-16i fanuc-0i-c fanuc-0i-d fanuc-30i";
+constexpr TableText named = "fanuc-16i fanuc-0i-c fanuc-0i-d fanuc-30i";
 
-constexpr std::string_view no_profile = "the control does not know which blocks are the profile";
-constexpr std::string_view no_cut = "there is nothing that a pass cuts, and the control stops";
+constexpr TableText no_profile = "the control does not know which blocks are the profile";
+constexpr TableText no_cut = "there is nothing that a pass cuts, and the control stops";
 /// What no block of a profile may hold: codes but G4 that act once, cycles, units, calls, tools.
 /// Compensation, F and S stand there in real programs.
-constexpr std::string_view no_profile_code = "G10 G20 G21 G27 G28 G29 G30 G32 G34 G50 G52 G53 G65 G66 G67 "
-                                             "G70 G71 G72 G73 G74 G75 G76 G90 G92 G94 M2 M30 M98 M99 T";
-constexpr std::string_view no_call = "a block of the cycle takes no call";
+constexpr TableText no_profile_code = "G10 G20 G21 G27 G28 G29 G30 G32 G34 G50 G52 G53 G65 G66 G67 "
+                                      "G70 G71 G72 G73 G74 G75 G76 G90 G92 G94 M2 M30 M98 M99 T";
+constexpr TableText no_call = "a block of the cycle takes no call";
 
 // A cycle of two blocks tells them apart by their words: the first one has no P and Q. In one block, as the
 // Series 10/11 and others have it, D, I and K stand for what the first block says. In system C each number is

@@ -6,18 +6,18 @@ namespace {
 
 using namespace book;
 using enum Severity;
-constexpr std::string_view of_30i = "FANUC 30i/0i-D";
+constexpr TableText of_30i = "FANUC 30i/0i-D";
 /// Where others that nobody has named write otherwise: a Haas drills without R, and G87 bores with a stop
 /// there.
-constexpr std::string_view named = "fanuc-16i fanuc-0i-c fanuc-0i-d fanuc-30i";
-constexpr std::string_view silent_on_missing_peck = "fanuc fanuc-16i fanuc-0i-c";
-constexpr std::string_view stops_on_missing_peck = "fanuc-0i-d fanuc-30i";
-constexpr std::string_view moves = "G0 G1 G2 G3 G33";
+constexpr TableText named = "fanuc-16i fanuc-0i-c fanuc-0i-d fanuc-30i";
+constexpr TableText silent_on_missing_peck = "fanuc fanuc-16i fanuc-0i-c";
+constexpr TableText stops_on_missing_peck = "fanuc-0i-d fanuc-30i";
+constexpr TableText moves = "G0 G1 G2 G3 G33";
 
-constexpr std::string_view no_bottom = "the hole gets no depth, or one of an earlier cycle";
-constexpr std::string_view no_level = "the rapid approach ends at a level that nobody has told";
-constexpr std::string_view no_move = "the control takes the move and drops the cycle";
-constexpr std::string_view in_ms = "it counts milliseconds";
+constexpr TableText no_bottom = "the hole gets no depth, or one of an earlier cycle";
+constexpr TableText no_level = "the rapid approach ends at a level that nobody has told";
+constexpr TableText no_move = "the control takes the move and drops the cycle";
+constexpr TableText in_ms = "it counts milliseconds";
 
 // What a cycle is told stays until G80.
 // clang-format off

@@ -6,12 +6,12 @@ namespace {
 
 using namespace book;
 using enum Severity;
-constexpr std::string_view of_16i = "FANUC 16i/18i/21i", of_30i = "FANUC 30i/0i-D";
+constexpr TableText of_16i = "FANUC 16i/18i/21i", of_30i = "FANUC 30i/0i-D";
 /// Where others that nobody has named write otherwise.
-constexpr std::string_view named = "fanuc-16i fanuc-0i-c fanuc-0i-d fanuc-30i";
-constexpr std::string_view newer = "fanuc-0i-d fanuc-30i";
-constexpr std::string_view no_other_coordinates = "polar interpolation keeps its own coordinates";
-constexpr std::string_view axes = "X Y Z A B C U V W";
+constexpr TableText named = "fanuc-16i fanuc-0i-c fanuc-0i-d fanuc-30i";
+constexpr TableText newer = "fanuc-0i-d fanuc-30i";
+constexpr TableText no_other_coordinates = "polar interpolation keeps its own coordinates";
+constexpr TableText axes = "X Y Z A B C U V W";
 
 // clang-format off
 constexpr BookLine lines[] = {

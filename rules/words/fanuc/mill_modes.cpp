@@ -6,15 +6,15 @@ namespace {
 
 using namespace book;
 using enum Severity;
-constexpr std::string_view of_16i = "FANUC 16i/18i/21i", of_30i = "FANUC 30i/0i-D";
+constexpr TableText of_16i = "FANUC 16i/18i/21i", of_30i = "FANUC 30i/0i-D";
 /// Where others that nobody has named write otherwise.
-constexpr std::string_view named = "fanuc-16i fanuc-0i-c fanuc-0i-d fanuc-30i";
-constexpr std::string_view older = "fanuc-16i fanuc-0i-c", newer = "fanuc-0i-d fanuc-30i";
-constexpr std::string_view axes = "X Y Z A B C U V W";
-constexpr std::string_view end_point = "end point of a move that the code in force makes";
-constexpr std::string_view arguments = "A B C D E F H I J K M Q R S T U V W X Y Z";
-constexpr std::string_view two_of_one_direction = "a plane has one axis of each direction";
-constexpr std::string_view whole_origin = "the origin has three coordinates, or none";
+constexpr TableText named = "fanuc-16i fanuc-0i-c fanuc-0i-d fanuc-30i";
+constexpr TableText older = "fanuc-16i fanuc-0i-c", newer = "fanuc-0i-d fanuc-30i";
+constexpr TableText axes = "X Y Z A B C U V W";
+constexpr TableText end_point = "end point of a move that the code in force makes";
+constexpr TableText arguments = "A B C D E F H I J K M Q R S T U V W X Y Z";
+constexpr TableText two_of_one_direction = "a plane has one axis of each direction";
+constexpr TableText whole_origin = "the origin has three coordinates, or none";
 
 // clang-format off
 constexpr BookLine lines[] = {

@@ -6,12 +6,12 @@ namespace {
 
 using namespace book;
 using enum Severity;
-constexpr std::string_view no_centre = "the control stops, or moves straight";
-constexpr std::string_view of_16i = "FANUC 16i/18i/21i", of_30i = "FANUC 30i/0i-D";
+constexpr TableText no_centre = "the control stops, or moves straight";
+constexpr TableText of_16i = "FANUC 16i/18i/21i", of_30i = "FANUC 30i/0i-D";
 /// Where others that nobody has named write otherwise.
-constexpr std::string_view named = "fanuc-16i fanuc-0i-c fanuc-0i-d fanuc-30i";
-constexpr std::string_view newer = "fanuc-0i-d fanuc-30i";
-constexpr std::string_view axes = "X Y Z A B C U V W";
+constexpr TableText named = "fanuc-16i fanuc-0i-c fanuc-0i-d fanuc-30i";
+constexpr TableText newer = "fanuc-0i-d fanuc-30i";
+constexpr TableText axes = "X Y Z A B C U V W";
 
 // Words that any block may hold (F, S, T, M, H, D) are listed only where the move itself takes them: a block
 // that goes on with a move takes all words of its code.

@@ -6,10 +6,10 @@ namespace {
 
 using namespace book;
 using enum Severity;
-constexpr std::string_view of_nct = "NCT";
-constexpr std::string_view axes = "X Y Z A B C U V W";
-constexpr std::string_view end_point = "end point of a move that the code in force makes";
-constexpr std::string_view arguments = "A B C D E F H I J K M Q R S T U V W X Y Z";
+constexpr TableText of_nct = "NCT";
+constexpr TableText axes = "X Y Z A B C U V W";
+constexpr TableText end_point = "end point of a move that the code in force makes";
+constexpr TableText arguments = "A B C D E F H I J K M Q R S T U V W X Y Z";
 
 // Pages of the same manual name each word; an I between address and number makes it incremental.
 // clang-format off
