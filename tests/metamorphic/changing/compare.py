@@ -9,7 +9,7 @@ from .text import Places, apply
 
 MARKS = re.compile(rf'{re.escape(fanuc.COMMENT)}|{re.escape(dinplus.COMMENT)}')
 
-
+WITHHELD = re.compile(r'it gives \d+ findings?, ')
 # A long quotation is cut off, at a place that blanks and comments in it move.
 CUT_OFF = re.compile(r"'([^']{0,20})[^']*(?:…|\.\.\.)(?:'|$)")
 
