@@ -14,6 +14,7 @@ class ProgramAnalysis;
 struct ProgramFile;
 class Reporter;
 struct RowOfBlock;
+struct MachineStep;
 
 /// Raised by the command itself: while files are read, or when suppressions are matched.
 struct RaisedByCommand {};
@@ -31,6 +32,12 @@ struct WordCheck {
         conflicting ///< in which one modal group is set more than once
     } blocks;
     void (*check)(const queries::WordsOfBlock&, Reporter&);
+};
+
+/// Looks at one block after another with what the machine is doing there: rules/machine_check.hpp. All such
+/// checks share a pass over the blocks of a program that paths lead to.
+struct MachineCheck {
+    void (*check)(const MachineStep&, Reporter&);
 };
 
 /// What a row of the table of words says of the words that it names, in a block that holds its code.

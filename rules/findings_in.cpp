@@ -5,6 +5,7 @@
 #include "analyzer/program/model.hpp"
 #include "analyzer/source/work_limit.hpp"
 #include "analyzer/workspace/program_analysis.hpp"
+#include "rules/machine_check.hpp"
 #include "rules/syntax_errors.hpp"
 #include "rules/withheld.hpp"
 #include "rules/word_check.hpp"
@@ -28,9 +29,16 @@ void run_check(const Rule& rule, const ProgramAnalysis& program, Reporter& repor
 const std::string& path_of(const ProgramFile& file) { return file.source->path(); }
 const std::string& path_of(const ProgramAnalysis& program) { return program.source()->path(); }
 
-std::vector<Finding> check_words(const Selection&, const ProgramFile&) { return {}; }
-std::vector<Finding> check_words(const Selection& selection, const ProgramAnalysis& program) {
-    return check_words(program, selection.rules, *selection.rows);
+/// The rules that share a pass over blocks.
+std::vector<Finding> check_blocks(const Selection&, const ProgramFile&) { return {}; }
+std::vector<Finding> check_blocks(const Selection& selection, const ProgramAnalysis& program) {
+    std::vector<Finding> findings = check_words(program, selection.rules, *selection.rows);
+    std::ranges::move(check_machine(program, selection.rules), std::back_inserter(findings));
+    return findings;
+}
+
+bool shares_pass(const Rule& rule) {
+    return std::holds_alternative<WordCheck>(rule.check) || std::holds_alternative<MachineCheck>(rule.check);
 }
 
 const ControlModel& control_of(const ProgramFile& file) { return *file.control; }
@@ -69,8 +77,8 @@ std::vector<Finding> withheld_in(const Selection& selection, const Thing& thing)
             const auto exemptions = exemptions_of(*rule, off);
             const WithoutExemptions without(exemptions);
             std::vector<BoundMet> not_told;
-            return std::holds_alternative<WordCheck>(rule->check)
-                       ? check_words(Selection{.rules = {rule}, .rows = selection.rows}, thing)
+            return shares_pass(*rule)
+                       ? check_blocks(Selection{.rules = {rule}, .rows = selection.rows}, thing)
                        : check(*rule, thing, not_told);
         };
         std::ranges::move(withheld_findings(*rule, off_in(selection.exemptions, *rule), find),
@@ -82,17 +90,16 @@ std::vector<Finding> withheld_in(const Selection& selection, const Thing& thing)
 template<class Thing>
 std::vector<Finding> find(const Selection& selection, const Thing& thing, std::vector<BoundMet>& met) {
     std::vector<Finding> findings;
-    std::vector<const Exemption*> off_in_words; // those rules share a pass
+    std::vector<const Exemption*> off_in_blocks; // those rules share a pass
     for (const Rule* rule : selection.rules) {
         if (!applies_to(*rule, control_of(thing))) continue;
         const auto off = exemptions_of(*rule, off_in(selection.exemptions, *rule));
-        if (std::holds_alternative<WordCheck>(rule->check))
-            std::ranges::copy(off, std::back_inserter(off_in_words));
+        if (shares_pass(*rule)) std::ranges::copy(off, std::back_inserter(off_in_blocks));
         const WithoutExemptions without(off);
         std::ranges::move(check(*rule, thing, met), std::back_inserter(findings));
     }
-    const WithoutExemptions without(off_in_words);
-    std::ranges::move(check_words(selection, thing), std::back_inserter(findings));
+    const WithoutExemptions without(off_in_blocks);
+    std::ranges::move(check_blocks(selection, thing), std::back_inserter(findings));
     if (selection.exemptions.withheld == Withheld::listed)
         std::ranges::move(withheld_in(selection, thing), std::back_inserter(findings));
     return findings;

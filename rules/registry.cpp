@@ -123,11 +123,13 @@
     RULE(saved_after_change)                    /* MAC517 */ \
     RULE(modal_state_forced)                    /* MAC518 */ \
     RULE(offset_not_restored)                   /* MAC519 */ \
+    RULE(offset_of_another_tool)                /* MAC520 */ \
     RULE(word_missing)                          /* MAC523 */ \
     RULE(code_forbidden_here)                   /* MAC527 */ \
     RULE(chamfer_or_corner)                     /* MAC529 */ \
     RULE(integer_word_decimal)                  /* MAC551 */ \
     RULE(duplicate_address)                     /* MAC559 */ \
+    RULE(length_offset_missing)                 /* MAC568 */ \
     RULE(canned_cycle_over_tool_change)         /* MAC569 */ \
     RULE(modal_code_as_number)                  /* MAC574 */ \
     RULE(words_exclude_each_other)              /* MAC575 */ \

@@ -81,7 +81,8 @@ struct Rule {
     std::vector<Alarm> alarms = {};
     std::vector<std::string_view> sources;
     /// `SyntaxErrorKind`: whatever the text has of that kind, see rules/syntax_errors.hpp.
-    std::variant<RaisedByCommand, SyntaxErrorKind, FileCheck, ProgramCheck, WordCheck, RowCheck> check;
+    std::variant<RaisedByCommand, SyntaxErrorKind, FileCheck, ProgramCheck, WordCheck, MachineCheck, RowCheck>
+        check;
 };
 
 /// All rules, in the order of their codes.

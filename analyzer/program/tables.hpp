@@ -22,6 +22,8 @@
 
 namespace maclint {
 
+struct MachineWords; // machine_words.hpp
+
 /// Numbers of programs, both included; none where `last` is 0.
 struct ProgramNumbers {
     std::int64_t first = 0, last = 0;
@@ -126,6 +128,8 @@ struct ControlModel {
     std::string letters_listed = {}; ///< "GM": the letters whose own codes are listed
     /// Empty: the codes of a modal group exclude each other.
     std::vector<ExclusiveCodes> exclusive_codes = {};
+    /// Which words move its axes and choose its tools; nullptr: nobody has said it.
+    const MachineWords* machine_words = nullptr;
 
     [[nodiscard]] bool has(Capability capability) const;
     /// The one of `lathes` with that system, or nullptr.

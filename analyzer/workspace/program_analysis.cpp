@@ -32,6 +32,16 @@ const dataflow::Liveness& ProgramAnalysis::liveness() const {
     });
 }
 
+const machine::States& ProgramAnalysis::machine() const {
+    return machine_.get([this] {
+        return machine::States(*program_, graph_, [this](EffectId call) -> const machine::Left* {
+            const CallSite* site = call_at(call);
+            if (site == nullptr || !site->target || site->in_cycle) return nullptr;
+            return &workspace_->programs()[*site->target].machine().left();
+        });
+    });
+}
+
 std::vector<flow::LabelledBlock> ProgramAnalysis::targets_of(const flow::ResolvedJump& jump) const {
     if (jump.target) return {*jump.target};
     std::vector<flow::LabelledBlock> targets;

@@ -7,6 +7,7 @@
 #include "analyzer/flow/graph.hpp"
 #include "analyzer/flow/regions.hpp"
 #include "analyzer/flow/shortest_paths.hpp"
+#include "analyzer/machine/states.hpp"
 #include "analyzer/program/call_kinds.hpp"
 #include "analyzer/program/model.hpp"
 #include "analyzer/source/made_once.hpp"
@@ -84,6 +85,8 @@ class ProgramAnalysis {
     [[nodiscard]] const dataflow::Facts& facts() const { return data_->facts(); }
     /// Which stored values may still be read. May be asked on several threads.
     [[nodiscard]] const dataflow::Liveness& liveness() const;
+    /// What the machine is doing at its blocks. May be asked on several threads.
+    [[nodiscard]] const machine::States& machine() const;
     /// What is learnt about the program while paths through it are looked for.
     [[nodiscard]] SearchMemory& search_memory() const { return search_memory_; }
     [[nodiscard]] const std::vector<dataflow::Loop>& loops() const { return loops_; }
@@ -136,6 +139,7 @@ class ProgramAnalysis {
     std::vector<dataflow::Loop> loops_, inescapable_cycles_;
     mutable MadeOnce<flow::ShortestPaths> paths_; ///< most programs have no finding
     mutable MadeOnce<dataflow::Liveness> liveness_;
+    mutable MadeOnce<machine::States> machine_;
     mutable SearchMemory search_memory_;
     std::vector<CallSite> calls_;
     std::vector<Caller> callers_;

@@ -22,13 +22,14 @@ using testing::IsEmpty;
 /// stands on the solver.
 constexpr auto layers = std::to_array<std::string_view>(
     {"grammar/", "analyzer/source/", "analyzer/syntax/", "analyzer/program/", "analyzer/semantics/",
-     "analyzer/dialect/", "analyzer/flow/", "analyzer/dataflow/domain/", "analyzer/dataflow/facts/",
-     "analyzer/dataflow/solver/", "analyzer/dataflow/", "analyzer/workspace/", "analyzer/execution/",
-     "analyzer/queries/", "rules/", "cli/"});
+     "analyzer/dialect/", "analyzer/flow/", "analyzer/machine/", "analyzer/dataflow/domain/",
+     "analyzer/dataflow/facts/", "analyzer/dataflow/solver/", "analyzer/dataflow/", "analyzer/workspace/",
+     "analyzer/execution/", "analyzer/queries/", "rules/", "cli/"});
 
-constexpr std::array<std::string_view, 8> dialect_blind = {
-    "analyzer/program/",   "analyzer/semantics/", "analyzer/flow/",    "analyzer/dataflow/",
-    "analyzer/workspace/", "analyzer/execution/", "analyzer/queries/", "rules/"};
+constexpr std::array<std::string_view, 9> dialect_blind = {
+    "analyzer/program/",   "analyzer/semantics/", "analyzer/flow/",
+    "analyzer/machine/",   "analyzer/dataflow/",  "analyzer/workspace/",
+    "analyzer/execution/", "analyzer/queries/",   "rules/"};
 
 constexpr std::array<std::string_view, 5> dialects = {"fanuc", "nct", "haas", "dinplus", "sinumerik"};
 

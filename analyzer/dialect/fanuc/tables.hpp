@@ -1,6 +1,7 @@
 //! The controls of the Fanuc family: limits, variables, modal groups and calls.
 #pragma once
 
+#include "analyzer/program/machine_words.hpp"
 #include "analyzer/program/syntax_error.hpp"
 #include "analyzer/program/tables.hpp"
 
@@ -31,6 +32,8 @@ constexpr CallKindId g65 = 0, g66 = 1, g66_1 = 2, m98 = 3, m198 = 4;
 /// Of G code system 'A', 'B' or 'C'.
 [[nodiscard]] std::vector<ModalGroup> lathe_groups(char system);
 /// When feed and speed matter to no move.
+/// Of a mill (0), or a lathe with that system of G codes.
+[[nodiscard]] const MachineWords& machine_words(char system);
 [[nodiscard]] std::vector<Idle> idle_values(std::span<const ModalGroup> groups);
 [[nodiscard]] std::vector<VariableSpace> variable_spaces();
 /// What `#n` is; `groups` gives the rows that #4001 and the like read.

@@ -118,6 +118,7 @@ ControlModel make(const ControlRow& row, char system) {
             {{{spaces::local, first}, {spaces::local, first + 1}, {spaces::local, first + 2}}});
     control.vacant_equals_zero = false;
     control.idle = idle_values(control.groups);
+    control.machine_words = &machine_words(system);
     control.first_free_code = 100; // parameters 6050-6059 make a G code of up to four digits call a macro [T]
     control.macro_numbers = {8000, 9999};           // T: those that parameter 3202 (NE8, NE9) protects
     control.repeatable = {"G", "M"};                // SEED-004:195; several M by parameter 3404#7

@@ -1,0 +1,65 @@
+//! Counts over the steps of a program.
+#include "analyzer/machine/habits.hpp"
+
+namespace maclint::machine {
+
+Habits::Habits(const Program& program, const States& states) {
+    states.for_each_step([&](const Step& step) { see(step, *program.control); });
+}
+
+void Habits::see(const Step& step, const ControlModel& control) {
+    moves_ = moves_ || step.move != Move::none;
+    if (step.changes_tool) {
+        ++changes_;
+        waits_for_offset_ = waits_for_start_ = true;
+    }
+    const Known& length = step.after.length_offset;
+    if (length.is_known() && length.value > 0 && length.block == step.block.span.begin) {
+        if (waits_for_offset_) ++changes_with_length_offset_;
+        waits_for_offset_ = false;
+        if (step.after.tool.is_known()) ++pairs_[{step.after.tool.value, length.value}];
+    }
+    const auto spindle = control.group_with(ModalRole::spindle);
+    const Known& turning = step.after.of(ModalRole::spindle);
+    if (spindle && turning.is_known() && turning.block == step.block.span.begin &&
+        turning.value != control.groups[*spindle].cancel) {
+        turns_spindle_ = true;
+        if (waits_for_start_) ++changes_with_start_;
+        waits_for_start_ = false;
+    }
+    gives_feed_ = gives_feed_ || step.words.has('F');
+}
+
+int Habits::uses(double tool, double offset) const {
+    const auto found = pairs_.find({tool, offset});
+    return found == pairs_.end() ? 0 : found->second;
+}
+
+std::optional<double> Habits::difference_beside(double tool) const {
+    std::optional<double> difference;
+    for (const auto& [pair, count] : pairs_) {
+        if (pair.first == tool) continue;
+        if (difference && *difference != pair.second - pair.first) return std::nullopt;
+        difference = pair.second - pair.first;
+    }
+    return difference;
+}
+
+int Habits::tools() const {
+    std::set<double> tools;
+    for (const auto& [pair, count] : pairs_) tools.insert(pair.first);
+    return static_cast<int>(tools.size());
+}
+
+bool Habits::has_tool(double tool) const {
+    const auto first = pairs_.lower_bound({tool, 0});
+    return first != pairs_.end() && first->first.first == tool;
+}
+
+bool Habits::has_several_offsets(double tool) const {
+    int offsets = 0;
+    for (const auto& [pair, count] : pairs_) offsets += pair.first == tool ? 1 : 0;
+    return offsets > 1;
+}
+
+} // namespace maclint::machine

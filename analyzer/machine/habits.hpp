@@ -1,0 +1,45 @@
+//! What a program does again and again: against which one block is held.
+#pragma once
+
+#include "analyzer/machine/states.hpp"
+
+#include <map>
+#include <set>
+
+namespace maclint::machine {
+
+class Habits {
+  public:
+    Habits(const Program& program, const States& states);
+
+    /// Whether anything moves.
+    [[nodiscard]] bool is_of_interest() const { return moves_; }
+    /// Tool changes after which a length offset is chosen before the tool cuts.
+    [[nodiscard]] int changes_with_length_offset() const { return changes_with_length_offset_; }
+    [[nodiscard]] int changes() const { return changes_; }
+    /// Whether the program turns the spindle by a word of its own.
+    [[nodiscard]] bool turns_spindle() const { return turns_spindle_; }
+    /// Tool changes after which the spindle is started before the tool cuts.
+    [[nodiscard]] int changes_with_start() const { return changes_with_start_; }
+    [[nodiscard]] bool gives_feed() const { return gives_feed_; }
+    /// How often a tool has this offset.
+    [[nodiscard]] int uses(double tool, double offset) const;
+    /// The difference from tool to offset that all other pairs of the program have, `tool` with any offset
+    /// left out; nothing where there are none or they differ.
+    [[nodiscard]] std::optional<double> difference_beside(double tool) const;
+    /// How many tools have an offset, and whether this one has.
+    [[nodiscard]] int tools() const;
+    [[nodiscard]] bool has_tool(double tool) const;
+    /// Whether the tool has several offsets: then another one is meant.
+    [[nodiscard]] bool has_several_offsets(double tool) const;
+
+  private:
+    void see(const Step& step, const ControlModel& control);
+
+    bool moves_ = false, turns_spindle_ = false, gives_feed_ = false;
+    int changes_ = 0, changes_with_length_offset_ = 0, changes_with_start_ = 0;
+    bool waits_for_offset_ = false, waits_for_start_ = false;
+    std::map<std::pair<double, double>, int> pairs_; ///< tool and offset
+};
+
+} // namespace maclint::machine

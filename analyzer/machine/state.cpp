@@ -1,0 +1,69 @@
+//! How states meet.
+#include "analyzer/machine/state.hpp"
+
+#include <cmath>
+
+namespace maclint::machine {
+
+template<class Visit>
+void State::for_each_two(State& a, const State& b, const Visit& visit) {
+    constexpr std::array fields = {
+        &State::tool,          &State::prepared,    &State::changed,     &State::length_offset,
+        &State::cutter_offset, &State::speed_clamp, &State::cycle_level, &State::moved_in_z,
+        &State::plunged,       &State::cut};
+    for (const auto field : fields) visit(a.*field, b.*field);
+    for (std::size_t role = 0; role < roles; ++role) visit(a.modes_[role], b.modes_[role]);
+}
+
+void State::forget_modes() { modes_.fill(Known::nothing()); }
+
+void State::forget_position() {
+    position.fill(nowhere);
+    is_moved.fill(true);
+}
+
+void State::forget() {
+    tool = prepared = changed = length_offset = cutter_offset = speed_clamp = cycle_level = moved_in_z =
+        plunged = cut = Known::nothing();
+    forget_modes();
+    forget_position();
+}
+
+bool State::add(const State& other) {
+    if (!other.is_reached) return false;
+    if (!is_reached) {
+        *this = other;
+        return true;
+    }
+    bool has_changed = false;
+    for_each_two(*this, other, [&](Known& mine, const Known& its) {
+        if (mine.kind == Known::Kind::unknown) return;
+        if (mine.kind == its.kind && (mine.is_callers() || mine.value == its.value)) return;
+        mine = Known::nothing();
+        has_changed = true;
+    });
+    for (std::size_t axis = 0; axis < position.size(); ++axis) {
+        if (!std::isnan(position[axis]) && position[axis] != other.position[axis]) {
+            position[axis] = nowhere;
+            has_changed = true;
+        }
+        if (other.is_moved[axis] && !is_moved[axis]) is_moved[axis] = has_changed = true;
+    }
+    return has_changed;
+}
+
+void State::go_on_with(const State& end_of_called) {
+    for_each_two(*this, end_of_called, [](Known& mine, const Known& its) {
+        if (its.kind == Known::Kind::unknown)
+            mine = its;
+        else if (its.is_known())
+            mine.value = its.value, mine.kind = its.kind; // the block is another program's
+    });
+    for (std::size_t axis = 0; axis < position.size(); ++axis) {
+        if (!end_of_called.is_moved[axis]) continue;
+        position[axis] = end_of_called.position[axis];
+        is_moved[axis] = true;
+    }
+}
+
+} // namespace maclint::machine

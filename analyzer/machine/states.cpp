@@ -1,0 +1,129 @@
+//! Solves the states of a program along its paths.
+#include "analyzer/machine/states.hpp"
+
+#include "analyzer/flow/solve.hpp"
+#include "analyzer/program/lines_with.hpp"
+
+#include <algorithm>
+
+namespace maclint::machine {
+namespace {
+
+/// A state of a node has some 600 bytes.
+constexpr std::size_t most_nodes = 20'000;
+
+/// The states in front of nodes, gathered in place.
+class Domain {
+  public:
+    using State = machine::State;
+
+    explicit Domain(const States& states)
+        : states_(states) {}
+    [[nodiscard]] State at_begin(flow::NodeId node) const {
+        State state;
+        state.is_reached = node == 0;
+        return state;
+    }
+    [[nodiscard]] bool is_reached(const State& state) const { return state.is_reached; }
+    [[nodiscard]] bool add(State& set, const State& more) const { return set.add(more); }
+    void run(flow::NodeId node, State& set) const {
+        states_.run(node, set, [](const Step&) {});
+    }
+
+  private:
+    const States& states_;
+};
+
+} // namespace
+
+States::States(const Program& program, const flow::Graph& graph, const LeftByCall& left_by_call)
+    : program_(&program)
+    , graph_(&graph)
+    , left_by_call_(left_by_call) {
+    if (program.control->machine_words == nullptr || program.has_several_channels() || graph.nodes.empty() ||
+        graph.nodes.size() > most_nodes) {
+        left_.state.is_reached = true;
+        left_.state.forget();
+        return;
+    }
+    before_ = flow::solve<flow::Direction::forward>(graph, Domain(*this));
+    find_left();
+}
+
+std::vector<Span> States::parts_that_begin_something(Span stretch) const {
+    CodeNumbers any, other_than_motion;
+    any.add_beyond();
+    other_than_motion.add_beyond();
+    for (int code = 0; code < static_cast<int>(CodeNumbers::capacity); ++code) {
+        any.add(code);
+        if (code > 3) other_than_motion.add(code);
+    }
+    const MachineWords& machine = *program_->control->machine_words;
+    std::vector<LetterCodes> wanted = {{'G', other_than_motion}, {'M', any}, {machine.tool, any}};
+    for (const char letter : {machine.length_offset, machine.cutter_offset})
+        if (letter != 0) wanted.push_back({letter, any});
+    constexpr Offset some_lines = 2000; // bytes
+    std::vector<Span> parts;
+    for_each_line_with(wanted, program_->text, stretch, [&](Span line) {
+        const std::size_t after = program_->text.find('\n', std::min(line.end + some_lines, stretch.end));
+        const auto end = static_cast<Offset>(std::min<std::size_t>(after, stretch.end));
+        if (!parts.empty() && parts.back().end >= line.begin)
+            parts.back().end = end;
+        else
+            parts.push_back({line.begin, end});
+    });
+    return parts;
+}
+
+void States::forget_between(State& state) {
+    state.forget_position();
+    for (const ModalRole role : {ModalRole::motion, ModalRole::feed}) state.of(role) = Known::nothing();
+}
+
+bool States::calls_after_moves(const State& state) const {
+    const auto calls = program_->control->group_with(ModalRole::macro_call);
+    const Known& call = state.of(ModalRole::macro_call);
+    return calls && !call.is_callers() &&
+           !(call.is_known() && call.value == program_->control->groups[*calls].cancel);
+}
+
+void States::run_calls(const flow::Node& node, State& state) const {
+    for (Id id = node.effects.first; id < node.effects.first + node.effects.count; ++id) {
+        const auto& what = program_->effects[id].what;
+        const auto* guarded = std::get_if<Guarded>(&what);
+        const bool may_call =
+            guarded != nullptr &&
+            std::ranges::any_of(program_->effects_in(guarded->effects), [](const Effect& effect) {
+                return !std::holds_alternative<Assign>(effect.what) &&
+                       !std::holds_alternative<Jump>(effect.what);
+            });
+        if (std::holds_alternative<Call>(what)) {
+            const Left* left = left_by_call_(id);
+            if (left == nullptr || !left->state.is_reached)
+                state.forget();
+            else
+                state.go_on_with(left->state);
+        } else if (may_call) {
+            state.forget();
+        }
+    }
+}
+
+void States::find_left() {
+    for (const flow::Exit& exit : graph_->exits) {
+        if (exit.kind != flow::ExitKind::returns && exit.kind != flow::ExitKind::runs_off) continue;
+        State state = before_[exit.node];
+        if (!state.is_reached) continue;
+        run(exit.node, state, [](const Step&) {});
+        (void)left_.state.add(state);
+    }
+    for_each_step([&](const Step& step) {
+        if (step.move != Move::feed && step.move != Move::cycle) return;
+        if (!left_.cuts_with_spindle && step.after.of(ModalRole::spindle).is_callers())
+            left_.cuts_with_spindle = step.block.span;
+        if (!left_.cuts_with_feed && step.after.of(ModalRole::feed).is_callers())
+            left_.cuts_with_feed = step.block.span;
+    });
+}
+
+} // namespace maclint::machine

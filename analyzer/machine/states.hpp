@@ -1,0 +1,112 @@
+//! The states in front of every node of a program, and what the program leaves.
+#pragma once
+
+#include "analyzer/flow/graph.hpp"
+#include "analyzer/machine/step.hpp"
+
+#include <functional>
+#include <optional>
+#include <vector>
+
+namespace maclint::machine {
+
+/// What a program does to the machine, for who calls it.
+struct Left {
+    State state; ///< not reached: it comes back to nobody
+    /// The first block that cuts while the spindle, the feed is as the caller left it.
+    std::optional<Span> cuts_with_spindle, cuts_with_feed;
+};
+
+/// What a called program leaves; nullptr: nobody has it.
+using LeftByCall = std::function<const Left*(EffectId call)>;
+
+class States {
+  public:
+    /// Nothing is known of a program whose control has no words for it, or which is too large.
+    States(const Program& program, const flow::Graph& graph, const LeftByCall& left_by_call);
+
+    [[nodiscard]] bool empty() const { return before_.empty(); }
+    [[nodiscard]] const Left& left() const { return left_; }
+
+    /// `visit(Step)` for the blocks that paths lead to, in the order of the text. Of very long runs of plain
+    /// blocks only those are seen that begin something, and some blocks behind each.
+    template<class Visit>
+    void for_each_step(const Visit& visit) const {
+        for (flow::NodeId node = 0; node < before_.size(); ++node) {
+            if (!before_[node].is_reached) continue;
+            State state = before_[node];
+            run(node, state, visit);
+        }
+    }
+
+    /// Of a node: its blocks, then its calls.
+    template<class Visit>
+    void run(flow::NodeId id, State& state, const Visit& visit) const {
+        const flow::Node& node = graph_->nodes[id];
+        if (id >= graph_->nodes_in_text) return;
+        Stepper stepper(*program_, *program_->control->machine_words);
+        if (node.is_run) {
+            run_plain(stepper, node.stretch(), state, visit);
+        } else {
+            for_each_block_with_words(
+                *program_, node.stretch(), [&](const BlockView& block, std::span<const Word> words) {
+                    // A block of several nodes does in the first what its words say.
+                    if (node.effects.count == 0 || node.effects.first == block.effects.first)
+                        step(stepper, state, block, words, visit);
+                });
+            run_calls(node, state);
+        }
+    }
+
+  private:
+    template<class Visit>
+    void step(Stepper& stepper, State& state, const BlockView& block, std::span<const Word> words,
+              const Visit& visit) const {
+        bool is_followed_by_call = false;
+        stepper.run(state, block, words, [&](const Step& one) {
+            visit(one);
+            is_followed_by_call = one.move != Move::none && calls_after_moves(state);
+        });
+        if (is_followed_by_call) state.forget();
+    }
+    template<class Visit>
+    void run_plain(Stepper& stepper, const Stretch& stretch, State& state, const Visit& visit) const {
+        const auto& run = std::get<PlainRun>(program_->items[stretch.item]);
+        blocks::WordReader reader;
+        const auto pass = [&](Span part) {
+            reader.visit_words(
+                *program_, run, part, [](const WordSummary&) { return true; },
+                [&](const BlockView& block, std::span<const Word> words, const WordSummary*) {
+                    step(stepper, state, block, words, visit);
+                });
+        };
+        if (run.blocks <= most_plain_blocks) return pass(stretch.span);
+        for (const Span part : parts_that_begin_something(stretch.span)) {
+            forget_between(state);
+            pass(part);
+        }
+        forget_between(state);
+        for_each_last_setting(*program_, stretch, [&](const ModalSetting& setting) {
+            state.of(program_->control->groups[setting.group].role) =
+                Known::of(setting.value, stretch.span.begin);
+        });
+    }
+
+    /// Longer runs come from CAM systems; a block takes some 100 ns.
+    static constexpr std::uint32_t most_plain_blocks = 50'000;
+
+    /// Lines with a code or a word that does more than move, and some behind each.
+    [[nodiscard]] std::vector<Span> parts_that_begin_something(Span stretch) const;
+    static void forget_between(State& state);
+    [[nodiscard]] bool calls_after_moves(const State& state) const;
+    void run_calls(const flow::Node& node, State& state) const;
+    void find_left();
+
+    const Program* program_;
+    const flow::Graph* graph_;
+    LeftByCall left_by_call_;
+    std::vector<State> before_;
+    Left left_;
+};
+
+} // namespace maclint::machine

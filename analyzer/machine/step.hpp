@@ -1,0 +1,110 @@
+//! What one block does to the machine.
+#pragma once
+
+#include "analyzer/machine/state.hpp"
+#include "analyzer/program/block_view.hpp"
+#include "analyzer/program/machine_words.hpp"
+#include "analyzer/program/tables.hpp"
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+namespace maclint::machine {
+
+/// How a block moves.
+enum class Move : std::uint8_t {
+    none,
+    rapid,
+    feed,      ///< on a straight line, a circle or a thread
+    cycle,     ///< a canned cycle at a position, or a turning cycle that returns to where it began
+    elsewhere, ///< to a reference position, or in the machine's own coordinates
+    unknown,
+};
+
+/// A number of a word, where it stands in the text.
+struct Number {
+    double value;
+    bool decimal_point;
+    Span span;
+};
+
+/// The words of a block by their letters, and its G codes.
+class Words {
+  public:
+    explicit Words(std::span<const Word> words);
+
+    [[nodiscard]] bool has(char letter) const { return words_[index(letter)] != nullptr; }
+    /// The first word of the letter, where it is a number; nothing where it is missing or calculated.
+    [[nodiscard]] std::optional<Number> number(char letter) const;
+    [[nodiscard]] const Word* word(char letter) const { return words_[index(letter)]; }
+    [[nodiscard]] std::span<const double> g_codes() const { return g_codes_; }
+    [[nodiscard]] std::span<const double> m_codes() const { return m_codes_; }
+    [[nodiscard]] bool has_g(double code) const;
+    [[nodiscard]] bool has_one_of(std::span<const double> g_codes) const;
+    [[nodiscard]] bool has_computed_code() const { return has_computed_code_; }
+
+  private:
+    [[nodiscard]] static std::size_t index(char letter) { return static_cast<std::size_t>(letter - 'A'); }
+
+    std::array<const Word*, 26> words_ = {};
+    std::vector<double> g_codes_, m_codes_;
+    bool has_computed_code_ = false;
+};
+
+/// One block between two states.
+struct Step {
+    const BlockView& block;
+    const Words& words;
+    const State& before;
+    const State& after; ///< calls of the block left out
+    Move move;
+    std::array<bool, 3> axes; ///< of which a word stands in the block
+    bool changes_tool;
+    bool calls; ///< it calls a program
+};
+
+/// Runs blocks over a state.
+class Stepper {
+  public:
+    Stepper(const Program& program, const MachineWords& machine);
+
+    /// What the block does, calls left out; `visit(Step)` sees it.
+    template<class Visit>
+    void run(State& state, const BlockView& block, std::span<const Word> words, const Visit& visit) {
+        const Words by_letter(words);
+        before_ = state;
+        begin(block);
+        apply(state, block, by_letter);
+        visit(Step{block, by_letter, before_, state, move_, axes_, changes_tool_, calls_});
+    }
+
+  private:
+    void begin(const BlockView& block);
+    void apply(State& state, const BlockView& block, const Words& words);
+    void apply_effects(State& state, const BlockView& block);
+    void apply_functions(State& state, const Words& words) const;
+    void apply_settings(State& state, const BlockView& block) const;
+    void change_tool(State& state, const BlockView& block, const Words& words) const;
+    void choose_offsets(State& state, const BlockView& block, const Words& words) const;
+    void move(State& state, const Words& words, Offset here);
+    void move_in_cycle(State& state, const Words& words) const;
+    [[nodiscard]] Move kind_of_move(const State& state, const Words& words) const;
+    [[nodiscard]] std::optional<double> target(const State& state, const Words& words,
+                                               std::size_t axis) const;
+
+    const Program& program_;
+    const ControlModel& control_;
+    const MachineWords& machine_;
+    State before_;
+    Move move_ = Move::none;
+    std::array<bool, 3> axes_ = {};
+    bool changes_tool_ = false;
+    bool calls_ = false;
+    bool moves_ = false;
+    bool without_feed_ = false;
+};
+
+} // namespace maclint::machine

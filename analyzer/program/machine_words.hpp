@@ -1,0 +1,41 @@
+//! Which words of a control move its axes, choose its tools and its offsets.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <span>
+#include <string_view>
+
+namespace maclint {
+
+/// The letters of the three axes that circles lie in: X, Y and Z; 0: there is none.
+using AxisLetters = std::array<char, 3>;
+
+/// Rows about one kind of machine.
+struct MachineWords {
+    AxisLetters axes;
+    AxisLetters increments = {}; ///< count from where the tool is, whatever the distance mode
+    AxisLetters centres;         ///< of a circle, from its start: I, J and K
+    char radius = 'R';
+    char tool = 'T';
+    char length_offset = 0; ///< 0: the tool's word names it
+    char cutter_offset = 0;
+    bool x_is_diameter = false;
+    bool tool_word_holds_offset = false; ///< T0203 is tool 2 with offset 3
+    bool change_stops_spindle = false;   ///< whoever changes the tool has the spindle stopped
+    double rapid = 0;                    ///< code of the motion mode
+    double absolute = 90;                ///< code of the distance mode, where there is one
+    double to_start = 98, to_level = 99; ///< codes of the return level: where a canned cycle leaves the tool
+    /// Codes of the motion mode under which each move is a pass that ends where it began.
+    std::span<const double> passes = {};
+    /// G codes: of cycles that end where they began, of positions that count from elsewhere behind them, of
+    /// moves in the machine's own coordinates, and those whose S is the highest speed.
+    std::span<const double> returning = {}, resetting = {}, of_machine = {}, clamping = {};
+    /// Machine functions that leave the spindle as it is. Any other may do anything with it.
+    std::span<const double> aside = {};
+    /// So far the two ends of a circle may lie from one circle around its centre, in mm.
+    double circle_tolerance = 0;
+    std::string_view source;
+};
+
+} // namespace maclint

@@ -1,0 +1,94 @@
+//! MAC568: a tool that goes to its work without its length offset.
+#include "rules/machine_check.hpp"
+#include "rules/path.hpp"
+
+namespace maclint::rules {
+
+namespace {
+void check(const MachineStep& at, Reporter& reporter);
+}
+
+extern const Rule length_offset_missing{
+    .code = "MAC568",
+    .name = "length-offset-missing",
+    .summary = "A tool goes to its work without a length offset, which the program gives its other tools",
+    .why = "The control counts with the length of the tool before, or with none: the tool stops above the "
+           "work, or "
+           "runs into it.",
+    .severity = Severity::warning,
+    .precision = Precision::high,
+    .messages =
+        {{"none",
+          "No tool length offset: '{0}' moves in Z with the tool of {1}, for which no offset has been "
+          "chosen.",
+          "Choose it with G43 H before, or in this block."}},
+    .bad = {{"fanuc", R"nc(
+O9568(PLATE)
+G90 G17 G54
+T1 M6
+S3000 M3
+G0 X0 Y0
+G43 H1 Z50.
+G1 Z-5. F200.
+G0 Z50.
+T2 M6
+S1200 M3
+G0 X25. Y25.
+Z50.
+G1 Z-12. F100.
+G0 Z50.
+M30
+)nc"}},
+    .good = {{"fanuc", R"nc(
+O9568(PLATE)
+G90 G17 G54
+T1 M6
+S3000 M3
+G0 X0 Y0
+G43 H1 Z50.
+G1 Z-5. F200.
+G0 Z50.
+T2 M6
+S1200 M3
+G0 X25. Y25.
+G43 H2 Z50.
+G1 Z-12. F100.
+G0 Z50.
+M30
+)nc"},
+             {"fanuc", R"nc(
+O9569(PROBE HEIGHT BY HAND)
+G90 G17 G54
+T1 M6
+S3000 M3
+G0 X0 Y0
+Z50.
+G1 Z-5. F200.
+G0 Z50.
+M30
+)nc"}},
+    .sources = {"T"},
+    .check = MachineCheck{&check},
+};
+
+namespace {
+
+void check(const MachineStep& at, Reporter& reporter) {
+    using machine::Move;
+    constexpr std::size_t z = 2;
+    if (!at.step.axes[z] || at.step.changes_tool || at.letters().length_offset == 0) return;
+    if (at.step.move == Move::elsewhere || at.step.move == Move::unknown || at.step.move == Move::none)
+        return;
+    if (!at.after().length_offset.is(machine::not_since_change) || !at.after().changed.is_known()) return;
+    if (!at.before().moved_in_z.is(0) || at.habits.changes_with_length_offset() == 0) return;
+    if (at.is_on(at.after(), ModalRole::length_compensation) &&
+        at.after().of(ModalRole::length_compensation).block == at.block().begin)
+        return; // G43 without H is another matter
+    reporter
+        .report(at.cause(), at.place_of('Z'), "none",
+                {quoted(at.analysis.program(), at.block()), "line " + at.line_of(at.after().changed)})
+        .related.push_back(at.at(at.after().changed, "the tool is changed here"));
+}
+
+} // namespace
+} // namespace maclint::rules

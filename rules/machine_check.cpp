@@ -1,0 +1,73 @@
+//! The pass over the steps of a program.
+#include "rules/machine_check.hpp"
+
+#include "analyzer/program/model.hpp"
+#include "rules/path.hpp"
+
+#include <algorithm>
+#include <iterator>
+#include <variant>
+
+namespace maclint {
+namespace {
+
+/// The block that begins there, up to the end of its line.
+Span line_at(const Program& program, Offset begin) {
+    const std::size_t end = program.text.find_first_of("\r\n", begin);
+    return {begin, static_cast<Offset>(std::min(end, program.text.size()))};
+}
+
+/// A rule that takes part in the pass.
+struct Taking {
+    const MachineCheck* check;
+    Reporter reporter;
+    std::set<Offset> told;
+};
+
+} // namespace
+
+Span MachineStep::place_of(char letter) const {
+    const Word* word = letter == 0 ? nullptr : step.words.word(letter);
+    return word == nullptr ? block() : word->span;
+}
+
+std::optional<double> MachineStep::off(ModalRole role) const {
+    const auto group = analysis.control().group_with(role);
+    return group ? analysis.control().groups[*group].cancel : std::nullopt;
+}
+
+bool MachineStep::is_on(const machine::State& state, ModalRole role) const {
+    const machine::Known& mode = state.of(role);
+    return mode.is_known() && mode.value != off(role);
+}
+
+std::string MachineStep::spelled(const machine::State& state, ModalRole role) const {
+    return analysis.control().spell(*analysis.control().group_with(role), state.of(role).value);
+}
+
+RelatedLocation MachineStep::at(const machine::Known& set, std::string text) const {
+    return {analysis.source(), line_at(analysis.program(), set.block), std::move(text)};
+}
+
+std::string MachineStep::line_of(const machine::Known& set) const {
+    return line_number(analysis.file(), set.block);
+}
+
+std::vector<Finding> check_machine(const ProgramAnalysis& analysis, std::span<const Rule* const> rules) {
+    std::vector<Taking> taking;
+    for (const Rule* rule : rules)
+        if (const auto* check = std::get_if<MachineCheck>(&rule->check);
+            check != nullptr && applies_to(*rule, analysis.control()))
+            taking.push_back({check, Reporter(*rule), {}});
+    if (taking.empty() || analysis.machine().empty()) return {};
+    const machine::Habits habits(analysis.program(), analysis.machine());
+    if (!habits.is_of_interest()) return {};
+    analysis.machine().for_each_step([&](const machine::Step& step) {
+        for (Taking& rule : taking) rule.check->check({analysis, step, habits, rule.told}, rule.reporter);
+    });
+    std::vector<Finding> findings;
+    for (Taking& rule : taking) std::ranges::move(rule.reporter.take(), std::back_inserter(findings));
+    return findings;
+}
+
+} // namespace maclint
