@@ -45,8 +45,19 @@ std::string MachineStep::spelled(const machine::State& state, ModalRole role) co
     return analysis.control().spell(*analysis.control().group_with(role), state.of(role).value);
 }
 
+Span MachineStep::block_of(const machine::Known& set) const { return line_at(analysis.program(), set.block); }
+
+std::vector<const machine::Left*> MachineStep::called() const {
+    std::vector<const machine::Left*> called;
+    if (!step.calls) return called;
+    for (EffectId id = step.block.effects.first; id < step.block.effects.first + step.block.effects.count; ++id)
+        if (const CallSite* site = analysis.call_at(id); site != nullptr && site->target && !site->in_cycle)
+            called.push_back(&analysis.workspace().programs()[*site->target].machine().left());
+    return called;
+}
+
 RelatedLocation MachineStep::at(const machine::Known& set, std::string text) const {
-    return {analysis.source(), line_at(analysis.program(), set.block), std::move(text)};
+    return {analysis.source(), block_of(set), std::move(text)};
 }
 
 std::string MachineStep::line_of(const machine::Known& set) const {
@@ -60,7 +71,7 @@ std::vector<Finding> check_machine(const ProgramAnalysis& analysis, std::span<co
             check != nullptr && applies_to(*rule, analysis.control()))
             taking.push_back({check, Reporter(*rule), {}});
     if (taking.empty() || analysis.machine().empty()) return {};
-    const machine::Habits habits(analysis.program(), analysis.machine());
+    const machine::Habits& habits = analysis.machine().habits();
     if (!habits.is_of_interest()) return {};
     analysis.machine().for_each_step([&](const machine::Step& step) {
         for (Taking& rule : taking) rule.check->check({analysis, step, habits, rule.told}, rule.reporter);

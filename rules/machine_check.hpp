@@ -2,8 +2,7 @@
 //! share.
 #pragma once
 
-#include "analyzer/machine/habits.hpp"
-#include "analyzer/machine/step.hpp"
+#include "analyzer/machine/states.hpp"
 #include "analyzer/workspace/program_analysis.hpp"
 #include "rules/rule.hpp"
 
@@ -40,6 +39,10 @@ struct MachineStep {
     /// Whether the rule has not yet spoken of what was set there; from now on it has.
     [[nodiscard]] bool is_first_of(const machine::Known& set) const { return told.insert(set.block).second; }
     [[nodiscard]] Cause cause() const { return {analysis, step.block.span}; }
+    /// The block that set something.
+    [[nodiscard]] Span block_of(const machine::Known& set) const;
+    /// What the programs that the block calls do; those that nobody has are left out.
+    [[nodiscard]] std::vector<const machine::Left*> called() const;
     /// A remark at the block that set something.
     [[nodiscard]] RelatedLocation at(const machine::Known& set, std::string text) const;
     /// "line 12": of the block that set something.

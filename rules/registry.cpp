@@ -124,11 +124,18 @@
     RULE(modal_state_forced)                    /* MAC518 */ \
     RULE(offset_not_restored)                   /* MAC519 */ \
     RULE(offset_of_another_tool)                /* MAC520 */ \
+    RULE(compensation_without_offset)           /* MAC521 */ \
     RULE(word_missing)                          /* MAC523 */ \
+    RULE(incremental_after_reference)           /* MAC524 */ \
     RULE(code_forbidden_here)                   /* MAC527 */ \
+    RULE(tool_change_unprepared)                /* MAC528 */ \
     RULE(chamfer_or_corner)                     /* MAC529 */ \
+    RULE(tapping_order)                         /* MAC530 */ \
     RULE(integer_word_decimal)                  /* MAC551 */ \
+    RULE(feed_missing)                          /* MAC553 */ \
+    RULE(spindle_missing)                       /* MAC554 */ \
     RULE(duplicate_address)                     /* MAC559 */ \
+    RULE(return_through_zero)                   /* MAC567 */ \
     RULE(length_offset_missing)                 /* MAC568 */ \
     RULE(canned_cycle_over_tool_change)         /* MAC569 */ \
     RULE(modal_code_as_number)                  /* MAC574 */ \

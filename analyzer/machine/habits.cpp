@@ -1,11 +1,9 @@
 //! Counts over the steps of a program.
 #include "analyzer/machine/habits.hpp"
 
-namespace maclint::machine {
+#include <set>
 
-Habits::Habits(const Program& program, const States& states) {
-    states.for_each_step([&](const Step& step) { see(step, *program.control); });
-}
+namespace maclint::machine {
 
 void Habits::see(const Step& step, const ControlModel& control) {
     moves_ = moves_ || step.move != Move::none;
@@ -28,6 +26,9 @@ void Habits::see(const Step& step, const ControlModel& control) {
         waits_for_start_ = false;
     }
     gives_feed_ = gives_feed_ || step.words.has('F');
+    const auto speed = step.words.number('S');
+    gives_speed_ = gives_speed_ || (step.words.has('S') && !(speed && speed->value == 0));
+    names_tools_ = names_tools_ || step.words.has(control.machine_words->tool);
 }
 
 int Habits::uses(double tool, double offset) const {

@@ -1,16 +1,18 @@
 //! What a program does again and again: against which one block is held.
 #pragma once
 
-#include "analyzer/machine/states.hpp"
+#include "analyzer/machine/step.hpp"
 
 #include <map>
-#include <set>
+#include <optional>
+#include <utility>
 
 namespace maclint::machine {
 
 class Habits {
   public:
-    Habits(const Program& program, const States& states);
+    /// Takes in one block of the program after another, in the order of the text.
+    void see(const Step& step, const ControlModel& control);
 
     /// Whether anything moves.
     [[nodiscard]] bool is_of_interest() const { return moves_; }
@@ -22,6 +24,9 @@ class Habits {
     /// Tool changes after which the spindle is started before the tool cuts.
     [[nodiscard]] int changes_with_start() const { return changes_with_start_; }
     [[nodiscard]] bool gives_feed() const { return gives_feed_; }
+    [[nodiscard]] bool gives_speed() const { return gives_speed_; }
+    /// Whether it names a tool anywhere.
+    [[nodiscard]] bool names_tools() const { return names_tools_; }
     /// How often a tool has this offset.
     [[nodiscard]] int uses(double tool, double offset) const;
     /// The difference from tool to offset that all other pairs of the program have, `tool` with any offset
@@ -34,9 +39,8 @@ class Habits {
     [[nodiscard]] bool has_several_offsets(double tool) const;
 
   private:
-    void see(const Step& step, const ControlModel& control);
-
-    bool moves_ = false, turns_spindle_ = false, gives_feed_ = false;
+    bool moves_ = false, turns_spindle_ = false, gives_feed_ = false, gives_speed_ = false,
+         names_tools_ = false;
     int changes_ = 0, changes_with_length_offset_ = 0, changes_with_start_ = 0;
     bool waits_for_offset_ = false, waits_for_start_ = false;
     std::map<std::pair<double, double>, int> pairs_; ///< tool and offset

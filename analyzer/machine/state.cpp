@@ -7,10 +7,18 @@ namespace maclint::machine {
 
 template<class Visit>
 void State::for_each_two(State& a, const State& b, const Visit& visit) {
-    constexpr std::array fields = {
-        &State::tool,          &State::prepared,    &State::changed,     &State::length_offset,
-        &State::cutter_offset, &State::speed_clamp, &State::cycle_level, &State::moved_in_z,
-        &State::plunged,       &State::cut};
+    constexpr std::array fields = {&State::tool,
+                                   &State::prepared,
+                                   &State::changed,
+                                   &State::length_offset,
+                                   &State::cutter_offset,
+                                   &State::speed_clamp,
+                                   &State::cycle_level,
+                                   &State::moved_in_z,
+                                   &State::plunged,
+                                   &State::cut,
+                                   &State::distance_for_return,
+                                   &State::rigid_tapping};
     for (const auto field : fields) visit(a.*field, b.*field);
     for (std::size_t role = 0; role < roles; ++role) visit(a.modes_[role], b.modes_[role]);
 }
@@ -24,7 +32,7 @@ void State::forget_position() {
 
 void State::forget() {
     tool = prepared = changed = length_offset = cutter_offset = speed_clamp = cycle_level = moved_in_z =
-        plunged = cut = Known::nothing();
+        plunged = cut = distance_for_return = rigid_tapping = Known::nothing();
     forget_modes();
     forget_position();
 }

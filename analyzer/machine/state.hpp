@@ -37,6 +37,8 @@ inline constexpr double nowhere = std::numeric_limits<double>::quiet_NaN();
 
 /// The number of an offset that nobody has chosen since the tool was changed.
 inline constexpr double not_since_change = -1;
+/// The tool that a change has brought is in the spindle, and no other was prepared since.
+inline constexpr double none_prepared = -1;
 
 class State {
   public:
@@ -51,6 +53,10 @@ class State {
     Known moved_in_z;    ///< 1: the tool has moved along its axis since it was changed; 0: not yet
     Known plunged;       ///< 1: it has fed down since the spindle was last started or stopped; 0: not yet
     Known cut;           ///< 1: it has cut since it was changed; 0: not yet
+    /// 1: the block that set the distance mode ran to a reference position; 0: another block set it.
+    Known distance_for_return;
+    /// 1: rigid tapping is switched on; 2: and a block followed that may not stand before its cycle.
+    Known rigid_tapping;
     Position position = {nowhere, nowhere, nowhere};
     std::array<bool, 3> is_moved = {}; ///< axes whose position this program has touched
 

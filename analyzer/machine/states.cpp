@@ -11,6 +11,8 @@ namespace {
 
 /// A state of a node has some 600 bytes.
 constexpr std::size_t most_nodes = 20'000;
+/// A program with more plain blocks comes from a CAM system. A block takes some 200 ns.
+constexpr std::size_t most_plain_blocks = 50'000;
 
 /// The states in front of nodes, gathered in place.
 class Domain {
@@ -46,11 +48,23 @@ States::States(const Program& program, const flow::Graph& graph, const LeftByCal
         left_.state.forget();
         return;
     }
+    stepper_.emplace(program, *program.control->machine_words);
+    const MachineWords& machine = *program.control->machine_words;
+    for (const char letter : {machine.tool, machine.length_offset, machine.cutter_offset})
+        if (letter != 0) choosing_.add(addresses_named(program, std::string_view(&letter, 1)));
+    std::size_t plain_blocks = 0;
+    for (const Item& item : program.items)
+        if (const auto* run = std::get_if<PlainRun>(&item)) plain_blocks += run->blocks;
+    sees_all_ = plain_blocks <= most_plain_blocks;
     before_ = flow::solve<flow::Direction::forward>(graph, Domain(*this));
-    find_left();
+    survey();
 }
 
-std::vector<Span> States::parts_that_begin_something(Span stretch) const {
+std::vector<Span> States::parts_that_begin_something(const PlainRun& run, Span stretch) const {
+    const bool begins_something =
+        run.words.codes.any_common(run.words.codes, [](syntax::CodeSet::Kind kind) { return kind > 3; }) ||
+        run.words.addresses.meets(choosing_);
+    if (!begins_something) return {};
     CodeNumbers any, other_than_motion;
     any.add_beyond();
     other_than_motion.add_beyond();
@@ -109,7 +123,7 @@ void States::run_calls(const flow::Node& node, State& state) const {
     }
 }
 
-void States::find_left() {
+void States::survey() {
     for (const flow::Exit& exit : graph_->exits) {
         if (exit.kind != flow::ExitKind::returns && exit.kind != flow::ExitKind::runs_off) continue;
         State state = before_[exit.node];
@@ -118,6 +132,7 @@ void States::find_left() {
         (void)left_.state.add(state);
     }
     for_each_step([&](const Step& step) {
+        habits_.see(step, *program_->control);
         if (step.move != Move::feed && step.move != Move::cycle) return;
         if (!left_.cuts_with_spindle && step.after.of(ModalRole::spindle).is_callers())
             left_.cuts_with_spindle = step.block.span;

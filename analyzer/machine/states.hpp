@@ -2,6 +2,7 @@
 #pragma once
 
 #include "analyzer/flow/graph.hpp"
+#include "analyzer/machine/habits.hpp"
 #include "analyzer/machine/step.hpp"
 
 #include <functional>
@@ -27,6 +28,7 @@ class States {
 
     [[nodiscard]] bool empty() const { return before_.empty(); }
     [[nodiscard]] const Left& left() const { return left_; }
+    [[nodiscard]] const Habits& habits() const { return habits_; }
 
     /// `visit(Step)` for the blocks that paths lead to, in the order of the text. Of very long runs of plain
     /// blocks only those are seen that begin something, and some blocks behind each.
@@ -44,7 +46,7 @@ class States {
     void run(flow::NodeId id, State& state, const Visit& visit) const {
         const flow::Node& node = graph_->nodes[id];
         if (id >= graph_->nodes_in_text) return;
-        Stepper stepper(*program_, *program_->control->machine_words);
+        Stepper stepper = *stepper_;
         if (node.is_run) {
             run_plain(stepper, node.stretch(), state, visit);
         } else {
@@ -80,8 +82,8 @@ class States {
                     step(stepper, state, block, words, visit);
                 });
         };
-        if (run.blocks <= most_plain_blocks) return pass(stretch.span);
-        for (const Span part : parts_that_begin_something(stretch.span)) {
+        if (sees_all_) return pass(stretch.span);
+        for (const Span part : parts_that_begin_something(run, stretch.span)) {
             forget_between(state);
             pass(part);
         }
@@ -92,21 +94,22 @@ class States {
         });
     }
 
-    /// Longer runs come from CAM systems; a block takes some 100 ns.
-    static constexpr std::uint32_t most_plain_blocks = 50'000;
-
     /// Lines with a code or a word that does more than move, and some behind each.
-    [[nodiscard]] std::vector<Span> parts_that_begin_something(Span stretch) const;
+    [[nodiscard]] std::vector<Span> parts_that_begin_something(const PlainRun& run, Span stretch) const;
     static void forget_between(State& state);
     [[nodiscard]] bool calls_after_moves(const State& state) const;
     void run_calls(const flow::Node& node, State& state) const;
-    void find_left();
+    void survey();
 
     const Program* program_;
     const flow::Graph* graph_;
     LeftByCall left_by_call_;
+    std::optional<Stepper> stepper_; ///< nothing: no state is known
+    syntax::AddressSet choosing_;    ///< addresses that choose a tool or an offset
+    bool sees_all_ = true;           ///< and not only what begins something
     std::vector<State> before_;
     Left left_;
+    Habits habits_;
 };
 
 } // namespace maclint::machine

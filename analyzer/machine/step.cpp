@@ -36,7 +36,7 @@ Words::Words(std::span<const Word> words) {
         if (literal == nullptr)
             has_computed_code_ = true;
         else
-            (word.address.front() == 'G' ? g_codes_ : m_codes_).push_back(literal->value);
+            (word.address.front() == 'G' ? g_codes_ : m_codes_).add(literal->value);
     }
 }
 
@@ -48,21 +48,28 @@ std::optional<Number> Words::number(char letter) const {
     return Number{literal->value, literal->decimal_point, found.span};
 }
 
-bool Words::has_g(double code) const { return contains(g_codes_, code); }
+bool Words::has_g(double code) const { return contains(g_codes(), code); }
 
-bool Words::has_one_of(std::span<const double> g_codes) const {
-    return std::ranges::any_of(g_codes_, [&](double code) { return contains(g_codes, code); });
+bool Words::has_one_of(std::span<const double> wanted) const {
+    return std::ranges::any_of(g_codes(), [&](double code) { return contains(wanted, code); });
 }
 
 Stepper::Stepper(const Program& program, const MachineWords& machine)
-    : program_(program)
-    , control_(*program.control)
-    , machine_(machine) {}
+    : program_(&program)
+    , control_(program.control)
+    , machine_(&machine)
+    , spindle_(control_->group_with(ModalRole::spindle))
+    , cycle_(control_->group_with(ModalRole::cycle))
+    , has_distance_(control_->group_with(ModalRole::distance).has_value())
+    , has_level_(control_->group_with(ModalRole::return_level).has_value()) {
+    if (spindle_) spindle_off_ = control_->groups[*spindle_].cancel;
+    if (cycle_) cycle_off_ = control_->groups[*cycle_].cancel;
+}
 
 void Stepper::begin(const BlockView& block) {
     move_ = Move::none;
     axes_ = {};
-    changes_tool_ = calls_ = without_feed_ = false;
+    changes_tool_ = calls_ = without_feed_ = to_reference_ = false;
     moves_ = block.moves;
 }
 
@@ -72,26 +79,31 @@ void Stepper::apply(State& state, const BlockView& block, const Words& words) {
         state.forget_modes();
         state.forget_position();
     }
-    apply_functions(state, words);
+    apply_functions(state, words, block.span.begin);
     apply_settings(state, block);
-    if (const auto speed = words.number('S'); speed && words.has_one_of(machine_.clamping))
+    if (const auto speed = words.number('S'); speed && words.has_one_of(machine_->clamping))
         state.speed_clamp = Known::of(speed->value, block.span.begin);
     change_tool(state, block, words);
     choose_offsets(state, block, words);
-    if (words.has_one_of(machine_.resetting)) state.forget_position();
+    if (words.has_one_of(machine_->resetting)) state.forget_position();
     if (moves_) move(state, words, block.span.begin);
+    watch_tapping(state, words, block.span.begin);
 }
 
 void Stepper::apply_effects(State& state, const BlockView& block) {
-    for (const Effect& effect : program_.effects_in(block.effects))
+    for (const Effect& effect : program_->effects_in(block.effects))
         std::visit(
             overloaded{
                 [&](const Motion& motion) {
                     moves_ = true;
                     without_feed_ |= motion.without_feed || motion.to_reference;
+                    to_reference_ |= motion.to_reference;
                 },
                 [&](const ToolChange& change) { changes_tool_ |= change.kind == ToolChange::Kind::change; },
                 [&](const Call&) { calls_ = true; },
+                [&](const Stop&) { // behind a stop somebody may push a part to the tool
+                    if (state.plunged.is_known()) state.plunged = Known::of(0, block.span.begin);
+                },
                 [&](const UnreadableBlock&) { state.forget(); },
                 [&](const SetModal& set) {
                     if (!set.group) state.forget_modes();
@@ -102,41 +114,45 @@ void Stepper::apply_effects(State& state, const BlockView& block) {
 }
 
 /// A function of the machine that no table knows may start its spindle, or stop it.
-void Stepper::apply_functions(State& state, const Words& words) const {
-    const auto spindle = control_.group_with(ModalRole::spindle);
+void Stepper::apply_functions(State& state, const Words& words, Offset here) const {
     for (const double function : words.m_codes())
-        if (!contains(machine_.aside, function) && (!spindle || control_.group_of('M', function) != spindle))
+        if (!contains(machine_->aside, function) &&
+            (!spindle_ || control_->group_of('M', function) != spindle_))
             state.of(ModalRole::spindle) = Known::nothing();
+    if (contains(words.m_codes(), machine_->rigid_tapping)) state.rigid_tapping = Known::of(1, here);
 }
 
 void Stepper::apply_settings(State& state, const BlockView& block) const {
     for (const BlockSetting setting : block.settings) {
-        const ModalRole role = control_.groups[setting.group].role;
+        const ModalRole role = control_->groups[setting.group].role;
         if (role == ModalRole::other) continue;
         Known& mode = state.of(role);
         const bool changes = !setting.value || !mode.is(*setting.value);
         if (changes && std::ranges::find(of_coordinates, role) != of_coordinates.end())
             state.forget_position();
+        if (role == ModalRole::distance)
+            state.distance_for_return = Known::of(to_reference_ ? 1 : 0, block.span.begin);
         if (role == ModalRole::spindle && changes) state.plunged = Known::of(0, block.span.begin);
         // Where a value is given again, the block that gave it first is named.
         if (changes) mode = setting.value ? Known::of(*setting.value, block.span.begin) : Known::nothing();
-        for (const EndedGroup& ended : control_.ended_groups)
+        for (const EndedGroup& ended : control_->ended_groups)
             if (ended.by == setting.group)
-                state.of(control_.groups[ended.group].role) = Known::of(ended.code, block.span.begin);
+                state.of(control_->groups[ended.group].role) = Known::of(ended.code, block.span.begin);
     }
 }
 
 void Stepper::change_tool(State& state, const BlockView& block, const Words& words) const {
-    const auto tool = words.number(machine_.tool);
+    const auto tool = words.number(machine_->tool);
     const Offset here = block.span.begin;
     if (!changes_tool_) {
-        if (words.has(machine_.tool)) state.prepared = tool ? Known::of(tool->value, here) : Known::nothing();
+        if (words.has(machine_->tool))
+            state.prepared = tool ? Known::of(tool->value, here) : Known::nothing();
         return;
     }
     state.changed = Known::of(0, here);
     state.moved_in_z = state.plunged = state.cut = Known::of(0, here);
     state.forget_position();
-    if (machine_.tool_word_holds_offset) {
+    if (machine_->tool_word_holds_offset) {
         constexpr double offsets = 100;
         if (!tool || tool->value < offsets) {
             state.tool = state.length_offset = Known::nothing();
@@ -147,18 +163,32 @@ void Stepper::change_tool(State& state, const BlockView& block, const Words& wor
         return;
     }
     // `M6 T2`: where another tool was prepared, some machines change to that one and prepare this one.
-    const bool is_doubtful = tool && state.prepared.is_known() && !state.prepared.is(tool->value);
-    if (is_doubtful || (words.has(machine_.tool) && !tool))
+    const bool is_doubtful = tool && state.prepared.is_known() && !state.prepared.is(none_prepared) &&
+                             !state.prepared.is(tool->value);
+    if (is_doubtful || (words.has(machine_->tool) && !tool))
         state.tool = Known::nothing();
     else
         state.tool = tool ? Known::of(tool->value, here) : state.prepared;
+    if (state.tool.is(none_prepared)) state.tool = Known::nothing(); // it brings the one before back
     if (state.tool.is_known()) state.tool.block = here;
-    state.prepared = Known::nothing();
+    state.prepared = Known::of(none_prepared, here);
+    state.rigid_tapping = Known::of(0, here);
+    if (!state.cutter_offset.is(0)) state.cutter_offset = Known::of(not_since_change, here);
     state.length_offset = state.length_offset.is(0) ? state.length_offset : Known::of(not_since_change, here);
-    if (machine_.change_stops_spindle)
-        if (const auto spindle = control_.group_with(ModalRole::spindle))
-            if (const auto off = control_.groups[*spindle].cancel)
-                state.of(ModalRole::spindle) = Known::of(*off, here);
+    if (machine_->change_stops_spindle && spindle_off_)
+        state.of(ModalRole::spindle) = Known::of(*spindle_off_, here);
+}
+
+/// No move, no speed and no plane may stand between the function and its cycle.
+void Stepper::watch_tapping(State& state, const Words& words, Offset here) const {
+    if (!state.rigid_tapping.is(1) || state.rigid_tapping.block == here) return;
+    if (words.has_one_of(machine_->tapping_cycles)) {
+        state.rigid_tapping = Known::of(0, here);
+        return;
+    }
+    const bool moves = move_ != Move::none && move_ != Move::elsewhere;
+    if (moves || words.has('S') || words.has_g(17) || words.has_g(18) || words.has_g(19))
+        state.rigid_tapping = Known::of(2, here);
 }
 
 void Stepper::choose_offsets(State& state, const BlockView& block, const Words& words) const {
@@ -167,45 +197,44 @@ void Stepper::choose_offsets(State& state, const BlockView& block, const Words& 
         const auto number = words.number(letter);
         offset = number ? Known::of(number->value, block.span.begin) : Known::nothing();
     };
-    choose(machine_.length_offset, state.length_offset);
-    choose(machine_.cutter_offset, state.cutter_offset);
+    choose(machine_->length_offset, state.length_offset);
+    choose(machine_->cutter_offset, state.cutter_offset);
 }
 
 Move Stepper::kind_of_move(const State& state, const Words& words) const {
-    if (without_feed_ || words.has_one_of(machine_.of_machine)) return Move::elsewhere;
-    if (words.has_one_of(machine_.returning)) return Move::cycle;
+    if (without_feed_ || words.has_one_of(machine_->of_machine)) return Move::elsewhere;
+    if (words.has_one_of(machine_->returning)) return Move::cycle;
     const Known& cycle = state.of(ModalRole::cycle);
-    const auto cycles = control_.group_with(ModalRole::cycle);
-    if (cycles && cycle.is_known() && cycle.value != control_.groups[*cycles].cancel) return Move::cycle;
-    if (cycles && cycle.kind == Known::Kind::unknown) return Move::unknown;
+    if (cycle_ && cycle.is_known() && cycle.value != cycle_off_) return Move::cycle;
+    if (cycle_ && cycle.kind == Known::Kind::unknown) return Move::unknown;
     const Known& motion = state.of(ModalRole::motion);
     if (!motion.is_known()) return Move::unknown;
-    if (motion.is(machine_.rapid)) return Move::rapid;
-    return contains(machine_.passes, motion.value) ? Move::cycle : Move::feed;
+    if (motion.is(machine_->rapid)) return Move::rapid;
+    return contains(machine_->passes, motion.value) ? Move::cycle : Move::feed;
 }
 
 std::optional<double> Stepper::target(const State& state, const Words& words, std::size_t axis) const {
     const auto usable = [](const std::optional<Number>& number) {
         return number && (number->decimal_point || number->value == 0);
     };
-    const auto absolute = words.number(machine_.axes[axis]);
-    const auto increment = words.number(machine_.increments[axis]);
+    const auto absolute = words.number(machine_->axes[axis]);
+    const auto increment = words.number(machine_->increments[axis]);
     const double from = state.position[axis];
-    if (machine_.increments[axis] != 0 && words.has(machine_.increments[axis]))
+    if (machine_->increments[axis] != 0 && words.has(machine_->increments[axis]))
         return usable(increment) ? from + increment->value : nowhere;
-    if (machine_.axes[axis] == 0 || !words.has(machine_.axes[axis])) return std::nullopt;
+    if (machine_->axes[axis] == 0 || !words.has(machine_->axes[axis])) return std::nullopt;
     if (!usable(absolute)) return nowhere;
-    if (!control_.group_with(ModalRole::distance)) return absolute->value;
+    if (!has_distance_) return absolute->value;
     const Known& distance = state.of(ModalRole::distance);
     if (!distance.is_known()) return nowhere;
-    return distance.is(machine_.absolute) ? absolute->value : from + absolute->value;
+    return distance.is(machine_->absolute) ? absolute->value : from + absolute->value;
 }
 
 void Stepper::move(State& state, const Words& words, Offset here) {
     move_ = kind_of_move(state, words);
     const double z_before = state.position[z_axis];
-    const bool is_turning_cycle = move_ == Move::cycle && (words.has_one_of(machine_.returning) ||
-                                                           !control_.group_with(ModalRole::return_level));
+    const bool is_turning_cycle =
+        move_ == Move::cycle && (words.has_one_of(machine_->returning) || !has_level_);
     for (std::size_t axis = 0; axis < state.position.size(); ++axis) {
         const std::optional<double> to = target(state, words, axis);
         if (!to) continue;
@@ -219,23 +248,24 @@ void Stepper::move(State& state, const Words& words, Offset here) {
     }
     if (axes_[z_axis] && state.moved_in_z.is_known()) state.moved_in_z = Known::of(1, here);
     if (move_ == Move::feed || move_ == Move::cycle) state.cut = Known::of(1, here);
+    if (axes_[z_axis] && state.position[z_axis] > z_before) state.plunged = Known::of(0, here);
     if (move_ == Move::feed && axes_[z_axis] && state.position[z_axis] < z_before)
         state.plunged = Known::of(1, here);
     if (move_ == Move::cycle && !is_turning_cycle) move_in_cycle(state, words);
 }
 
 void Stepper::move_in_cycle(State& state, const Words& words) const {
-    if (words.has(machine_.radius)) {
-        const auto level = words.number(machine_.radius);
-        const bool is_absolute = state.of(ModalRole::distance).is(machine_.absolute);
+    if (words.has(machine_->radius)) {
+        const auto level = words.number(machine_->radius);
+        const bool is_absolute = state.of(ModalRole::distance).is(machine_->absolute);
         state.cycle_level = level && is_absolute && (level->decimal_point || level->value == 0)
-                                ? Known::of(level->value, words.word(machine_.radius)->span.begin)
+                                ? Known::of(level->value, words.word(machine_->radius)->span.begin)
                                 : Known::nothing();
     }
     const Known& level = state.of(ModalRole::return_level);
-    if (level.is(machine_.to_level))
+    if (level.is(machine_->to_level))
         state.position[z_axis] = state.cycle_level.is_known() ? state.cycle_level.value : nowhere;
-    else if (!level.is(machine_.to_start))
+    else if (!level.is(machine_->to_start))
         state.position[z_axis] = nowhere;
 }
 

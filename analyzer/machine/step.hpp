@@ -40,17 +40,28 @@ class Words {
     /// The first word of the letter, where it is a number; nothing where it is missing or calculated.
     [[nodiscard]] std::optional<Number> number(char letter) const;
     [[nodiscard]] const Word* word(char letter) const { return words_[index(letter)]; }
-    [[nodiscard]] std::span<const double> g_codes() const { return g_codes_; }
-    [[nodiscard]] std::span<const double> m_codes() const { return m_codes_; }
+    [[nodiscard]] std::span<const double> g_codes() const { return g_codes_.all(); }
+    [[nodiscard]] std::span<const double> m_codes() const { return m_codes_.all(); }
     [[nodiscard]] bool has_g(double code) const;
-    [[nodiscard]] bool has_one_of(std::span<const double> g_codes) const;
+    [[nodiscard]] bool has_one_of(std::span<const double> wanted) const;
     [[nodiscard]] bool has_computed_code() const { return has_computed_code_; }
 
   private:
     [[nodiscard]] static std::size_t index(char letter) { return static_cast<std::size_t>(letter - 'A'); }
 
+    /// Of one letter; a block with more than these is one that no control takes.
+    struct Codes {
+        std::array<double, 16> codes;
+        std::size_t count = 0;
+
+        void add(double code) {
+            if (count < codes.size()) codes[count++] = code;
+        }
+        [[nodiscard]] std::span<const double> all() const { return {codes.data(), count}; }
+    };
+
     std::array<const Word*, 26> words_ = {};
-    std::vector<double> g_codes_, m_codes_;
+    Codes g_codes_, m_codes_;
     bool has_computed_code_ = false;
 };
 
@@ -63,7 +74,8 @@ struct Step {
     Move move;
     std::array<bool, 3> axes; ///< of which a word stands in the block
     bool changes_tool;
-    bool calls; ///< it calls a program
+    bool to_reference; ///< it runs to a reference position of the machine
+    bool calls;        ///< it calls a program
 };
 
 /// Runs blocks over a state.
@@ -78,16 +90,17 @@ class Stepper {
         before_ = state;
         begin(block);
         apply(state, block, by_letter);
-        visit(Step{block, by_letter, before_, state, move_, axes_, changes_tool_, calls_});
+        visit(Step{block, by_letter, before_, state, move_, axes_, changes_tool_, to_reference_, calls_});
     }
 
   private:
     void begin(const BlockView& block);
     void apply(State& state, const BlockView& block, const Words& words);
     void apply_effects(State& state, const BlockView& block);
-    void apply_functions(State& state, const Words& words) const;
+    void apply_functions(State& state, const Words& words, Offset here) const;
     void apply_settings(State& state, const BlockView& block) const;
     void change_tool(State& state, const BlockView& block, const Words& words) const;
+    void watch_tapping(State& state, const Words& words, Offset here) const;
     void choose_offsets(State& state, const BlockView& block, const Words& words) const;
     void move(State& state, const Words& words, Offset here);
     void move_in_cycle(State& state, const Words& words) const;
@@ -95,9 +108,12 @@ class Stepper {
     [[nodiscard]] std::optional<double> target(const State& state, const Words& words,
                                                std::size_t axis) const;
 
-    const Program& program_;
-    const ControlModel& control_;
-    const MachineWords& machine_;
+    const Program* program_;
+    const ControlModel* control_;
+    const MachineWords* machine_;
+    std::optional<GroupId> spindle_, cycle_;
+    std::optional<double> spindle_off_, cycle_off_;
+    bool has_distance_, has_level_; ///< groups that not every control has
     State before_;
     Move move_ = Move::none;
     std::array<bool, 3> axes_ = {};
@@ -105,6 +121,7 @@ class Stepper {
     bool calls_ = false;
     bool moves_ = false;
     bool without_feed_ = false;
+    bool to_reference_ = false;
 };
 
 } // namespace maclint::machine

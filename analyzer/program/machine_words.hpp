@@ -26,6 +26,10 @@ struct MachineWords {
     double rapid = 0;                    ///< code of the motion mode
     double absolute = 90;                ///< code of the distance mode, where there is one
     double to_start = 98, to_level = 99; ///< codes of the return level: where a canned cycle leaves the tool
+    double feed_per_revolution = 95;     ///< code of the feed mode
+    double rigid_tapping = -1;           ///< function of the machine; -1: it has none
+    std::span<const double> tapping_cycles = {}; ///< they turn the spindle themselves
+    std::span<const double> threads = {};        ///< G codes whose F is a lead
     /// Codes of the motion mode under which each move is a pass that ends where it began.
     std::span<const double> passes = {};
     /// G codes: of cycles that end where they began, of positions that count from elsewhere behind them, of

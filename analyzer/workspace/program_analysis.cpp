@@ -1,6 +1,7 @@
 //! Questions about one program that need graph and data flow together.
 #include "analyzer/workspace/program_analysis.hpp"
 
+#include "analyzer/machine/states.hpp"
 #include "analyzer/program/tables.hpp"
 
 #include <algorithm>
@@ -33,8 +34,8 @@ const dataflow::Liveness& ProgramAnalysis::liveness() const {
 }
 
 const machine::States& ProgramAnalysis::machine() const {
-    return machine_.get([this] {
-        return machine::States(*program_, graph_, [this](EffectId call) -> const machine::Left* {
+    return *machine_.get([this] {
+        return std::make_unique<const machine::States>(*program_, graph_, [this](EffectId call) -> const machine::Left* {
             const CallSite* site = call_at(call);
             if (site == nullptr || !site->target || site->in_cycle) return nullptr;
             return &workspace_->programs()[*site->target].machine().left();

@@ -7,7 +7,6 @@
 #include "analyzer/flow/graph.hpp"
 #include "analyzer/flow/regions.hpp"
 #include "analyzer/flow/shortest_paths.hpp"
-#include "analyzer/machine/states.hpp"
 #include "analyzer/program/call_kinds.hpp"
 #include "analyzer/program/model.hpp"
 #include "analyzer/source/made_once.hpp"
@@ -21,6 +20,10 @@
 #include <vector>
 
 namespace maclint {
+
+namespace machine {
+class States;
+}
 
 struct Caller {
     ProgramIndex program;
@@ -139,7 +142,7 @@ class ProgramAnalysis {
     std::vector<dataflow::Loop> loops_, inescapable_cycles_;
     mutable MadeOnce<flow::ShortestPaths> paths_; ///< most programs have no finding
     mutable MadeOnce<dataflow::Liveness> liveness_;
-    mutable MadeOnce<machine::States> machine_;
+    mutable MadeOnce<std::unique_ptr<const machine::States>> machine_;
     mutable SearchMemory search_memory_;
     std::vector<CallSite> calls_;
     std::vector<Caller> callers_;

@@ -1,0 +1,102 @@
+//! MAC524: increments of a reference position return that the next move takes for its own.
+#include "rules/machine_check.hpp"
+#include "rules/path.hpp"
+
+#include <algorithm>
+
+namespace maclint::rules {
+
+namespace {
+void check(const MachineStep& at, Reporter& reporter);
+}
+
+extern const Rule incremental_after_reference{
+    .code = "MAC524",
+    .name = "incremental-after-reference",
+    .summary = "The G91 of a reference position return is still in force at the next position",
+    .why = "The tool moves by the numbers, and not to them: from the reference position into whatever stands "
+           "there.",
+    .severity = Severity::warning,
+    .precision = Precision::high,
+    .messages =
+        {{"kept",
+          "Increments kept: '{0}' moves by its numbers, because the {1} of line {2} is still in force.",
+          "Write G90 before it, or in this block."}},
+    .bad = {{"fanuc", R"nc(
+O9524(PLATE)
+G90 G17 G54
+T1 M6
+S3000 M3
+G0 X0 Y0
+G43 H1 Z5.
+G1 Z-5. F200.
+G0 Z50.
+G91 G28 Z0
+T2 M6
+S1200 M3
+G0 X25. Y25.
+G43 H2 Z5.
+G1 Z-5. F200.
+M30
+)nc"}},
+    .good = {{"fanuc", R"nc(
+O9524(PLATE)
+G90 G17 G54
+T1 M6
+S3000 M3
+G0 X0 Y0
+G43 H1 Z5.
+G1 Z-5. F200.
+G0 Z50.
+G91 G28 Z0
+G28 X0 Y0
+T2 M6
+S1200 M3
+G90 G0 X25. Y25.
+G43 H2 Z5.
+G1 Z-5. F200.
+M30
+)nc"},
+             {"fanuc", R"nc(
+O9524(THE TABLE COMES FORWARD)
+G90 G17 G54
+T1 M6
+S3000 M3
+G0 X0 Y0
+G43 H1 Z5.
+G1 Z-5. F200.
+G91 G28 Z0
+G0 Y200.
+M30
+)nc"}},
+    .sources = {"T"},
+    .check = MachineCheck{&check},
+};
+
+namespace {
+
+void check(const MachineStep& at, Reporter& reporter) {
+    using machine::Move;
+    const bool goes_somewhere =
+        at.step.move == Move::rapid || at.step.move == Move::feed || at.step.move == Move::cycle;
+    if (!goes_somewhere || !at.after().distance_for_return.is(1) || at.step.words.has_g(91)) return;
+    const machine::Known& distance = at.after().of(ModalRole::distance);
+    if (!distance.is_known() || distance.is(at.letters().absolute)) return;
+    // After a tool change nobody goes on by increments; without one the table may be brought to the operator.
+    const machine::Known& changed = at.after().changed;
+    const bool is_new_tool = changed.is_known() && changed.block > distance.block;
+    if (!is_new_tool && !at.cuts()) return;
+    const bool is_by_numbers = std::ranges::any_of(at.letters().axes, [&](char letter) {
+        const auto number = at.step.words.number(letter);
+        return number && number->value != 0;
+    });
+    if (!is_by_numbers || !at.is_first_of(at.after().distance_for_return)) return;
+    reporter
+        .report(at.cause(), at.block(), "kept",
+                {quoted(at.analysis.program(), at.block()), at.spelled(at.after(), ModalRole::distance),
+                 at.line_of(at.after().distance_for_return)})
+        .related.push_back(at.at(at.after().distance_for_return, "it stands here, for the return"));
+}
+
+} // namespace
+} // namespace maclint::rules
