@@ -4,6 +4,7 @@
 #include "analyzer/program/lines_with.hpp"
 #include "analyzer/queries/modes_at.hpp"
 #include "analyzer/workspace/program_analysis.hpp"
+#include "rules/words/arcs_going_on.hpp"
 #include "rules/words/row_indexes.hpp"
 #include "rules/words/row_pass.hpp"
 
@@ -50,6 +51,8 @@ std::vector<Finding> check_words(const ProgramAnalysis& analysis, std::span<cons
     for (const Section& section : program.sections) {
         const RowIndex& index = rows.of(program, section);
         if (taking.empty() && index.empty()) continue;
+        ArcsGoingOn arcs(analysis, index);
+        bool only_arcs = false;
         for_each_block_with_words(
             program, section.items,
             [&](const PlainRun& run, const auto& take) {
@@ -57,11 +60,18 @@ std::vector<Finding> check_words(const ProgramAnalysis& analysis, std::span<cons
                     take(run.span);
                 else if (const auto codes = index.codes_wanted(program, run); !codes.empty())
                     for_each_line_with(codes, program.text, run.span, take); // few lines of CAM output
+                only_arcs = true;
+                arcs.for_each_line(run, take);
+                only_arcs = false;
             },
-            [&](const WordSummary& block) { return rule_wants(block) || index.wants_block(block); },
+            [&](const WordSummary& block) {
+                return only_arcs || rule_wants(block) || index.wants_block(block);
+            },
             [&](const BlockView& block, std::span<const Word> words, const WordSummary* summary) {
                 const queries::WordsOfBlock with_words{analysis,    block,   words,
                                                        modal_calls, section, modes_at};
+                if (only_arcs || summary == nullptr) arcs.look_at(with_words, row_pass);
+                if (only_arcs) return;
                 for (Taking& rule : taking)
                     if (summary == nullptr || rule.wants(*summary))
                         rule.check->check(with_words, rule.reporter);

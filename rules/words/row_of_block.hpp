@@ -2,6 +2,7 @@
 #pragma once
 
 #include "analyzer/queries/block_words.hpp"
+#include "analyzer/queries/modes_at.hpp"
 #include "rules/reporter.hpp"
 #include "rules/words/rule_row.hpp"
 
@@ -21,6 +22,9 @@ struct RowOfBlock {
     const RowForCode& of_code;
     const Word& code;  ///< the word of the block that is the row's code, or has its address
     std::string under; ///< the code of WordRow::under that is in force; empty where the row names none
+    /// The block does not name the code, which is in force: where that was set. `code` has the bytes of a
+    /// word that goes on with it.
+    const queries::Mode* goes_on = nullptr;
 
     [[nodiscard]] const WordRow& row() const { return *of_code.row; }
     /// The first word of the block, other than the code, that has one of the addresses, with a value or

@@ -66,6 +66,10 @@ bool is_builtin(const queries::WordsOfBlock& block, const RowForCode& row) {
 
 } // namespace
 
+bool goes_on_in_blocks(const WordRow& row) {
+    return row.says == RowStatement::needs && !row.when.empty() && row.under.empty() && !row.kept;
+}
+
 RowPass::RowPass(std::span<const Rule* const> rules) {
     for (const Rule* rule : rules)
         if (std::holds_alternative<RowCheck>(rule->check)) reporters_.emplace(rule, Reporter(*rule));
@@ -96,6 +100,28 @@ void RowPass::look_at(const queries::WordsOfBlock& block, const RowIndex& index,
     if (under.empty() && !row.under.empty()) return;
     std::get<RowCheck>(reporter->first->check)
         .check({block, index, *entry.rule_row, *entry.row, code, std::move(under)}, reporter->second);
+}
+
+bool RowPass::look_at_arc(const queries::WordsOfBlock& block, const RowIndex& index, GroupId group,
+                          const queries::Mode& arc) {
+    if (queries::calls(block) || queries::has_alternatives(block)) return false;
+    Word code{"G", Literal{*arc.code, false}, false, {}};
+    bool holds = false;
+    for (const RowIndex::Entry& entry : index.rows_at(code)) {
+        const WordRow& row = *entry.row->row;
+        const auto reporter = reporters_.find(entry.rule_row->rule);
+        if (reporter == reporters_.end() || !goes_on_in_blocks(row) || !holds_beside(block, code, row.when))
+            continue;
+        const auto axis =
+            std::ranges::find(block.words, condition_of(words_of(row.when).front()).address, &Word::address);
+        code.span = axis->span;
+        std::get<RowCheck>(reporter->first->check)
+            .check({block, index, *entry.rule_row, *entry.row, code,
+                    block.analysis.control().spell(group, *arc.code), &arc},
+                   reporter->second);
+        holds = true;
+    }
+    return holds;
 }
 
 std::vector<Finding> RowPass::take() {

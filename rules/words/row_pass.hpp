@@ -10,6 +10,9 @@
 
 namespace maclint {
 
+/// Whether the row of an arc's code wants its words in each block that goes on with it: in one that moves.
+[[nodiscard]] bool goes_on_in_blocks(const WordRow& row);
+
 /// Good for one program.
 class RowPass {
   public:
@@ -18,6 +21,10 @@ class RowPass {
 
     /// Looks at the rows of the codes that stand in the block.
     void look_at(const queries::WordsOfBlock& block, const RowIndex& index);
+    /// Looks at the rows of a code of the group that is in force and that the block does not name. False:
+    /// none of them holds.
+    bool look_at_arc(const queries::WordsOfBlock& block, const RowIndex& index, GroupId group,
+                     const queries::Mode& arc);
     [[nodiscard]] std::vector<Finding> take();
 
   private:

@@ -4,6 +4,8 @@
 #include "rules/words/word_list.hpp"
 
 #include <string>
+#include <utility>
+#include <vector>
 
 namespace maclint::rules {
 
@@ -21,7 +23,9 @@ extern const Rule word_missing{
            " what it has, which is another program than the one that was meant.",
     .severity = Severity::warning,
     .precision = Precision::high,
-    .messages = {{"missing", "Word missing beside {0}: {1}. Without it {2}.", "Write {3}."}},
+    .messages = {{"missing", "Word missing beside {0}: {1}. Without it {2}.", "Write {3}."},
+                 {"goes_on", "Word missing in a block that goes on with {4}: {1} beside {0}. Without it {2}.",
+                  "Write {3}, or G1 if a straight move is meant."}},
     .bad = {{"fanuc", R"nc(
 O9523(PECK)
 G90 G54 G0 X0 Y0
@@ -49,9 +53,18 @@ namespace {
 void check(const RowOfBlock& block, Reporter& reporter) {
     const WordRow& row = block.row();
     if (block.find(row.words) != nullptr) return;
-    block.report(
-        reporter, block.code, "missing",
-        {block.text_of(block.code), words_with_meaning(row), std::string(row.effect), either_of(row.words)});
+    std::vector<std::string> texts = {block.text_of(block.code), words_with_meaning(row),
+                                      std::string(row.effect), either_of(row.words)};
+    if (block.goes_on == nullptr) {
+        block.report(reporter, block.code, "missing", std::move(texts));
+        return;
+    }
+    texts.push_back(block.under);
+    const ProgramAnalysis& analysis = block.block.analysis;
+    Finding& finding = block.report(reporter, block.code, "goes_on", std::move(texts));
+    if (block.goes_on->set_by == queries::Mode::SetBy::word)
+        finding.related.push_back(
+            {analysis.source(), queries::span_of(analysis, *block.goes_on), block.under + " stands here"});
 }
 
 } // namespace
