@@ -74,6 +74,19 @@ struct OwnCode {
     std::int64_t program = 0; ///< of the macro that it calls; 0: none, or nobody says
 };
 
+/// What a control has only where somebody has bought it.
+struct ControlOption {
+    std::string_view name;  ///< "scaling"; small letters, hyphens between words
+    std::string_view codes; ///< that it brings, separated by blanks: "G50 G51"
+    std::string_view what;  ///< "figures larger or smaller than they are written"
+    char machines;          ///< 'M' of mills, 'T' of lathes, 'B' of both
+    std::string_view source;
+
+    [[nodiscard]] constexpr bool is_for(Machine machine) const {
+        return machines == 'B' || (machines == 'M') == (machine == Machine::mill);
+    }
+};
+
 /// What a control does with a block that holds an address twice, or two codes that contradict each other.
 enum class Contradiction : std::uint8_t {
     last_counts, ///< it takes the last one, or stops, as a parameter says
@@ -125,7 +138,11 @@ struct ControlModel {
     int first_free_code = 0;
     /// Those, where somebody has listed them: then there are no others of their letter. By letter, number.
     std::vector<OwnCode> own_codes = {};
-    std::string letters_listed = {}; ///< "GM": the letters whose own codes are listed
+    std::string letters_listed = {};             ///< "GM": the letters whose own codes are listed
+    std::span<const ControlOption> options = {}; ///< of the control; which are fitted, nobody says
+    std::string axes = {}; ///< letters of those that the machine has: "XYZA"; empty: nobody says
+    bool calculator_input =
+        false; ///< a length without a point counts in millimetres or inches: X100 is X100.
     /// Empty: the codes of a modal group exclude each other.
     std::vector<ExclusiveCodes> exclusive_codes = {};
     /// Which words move its axes and choose its tools; nullptr: nobody has said it.

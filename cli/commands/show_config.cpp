@@ -65,6 +65,16 @@ std::string own_codes_line(const ControlModel& control) {
     return text.empty() ? "" : line("own codes", text);
 }
 
+/// Nothing where nobody tells which axes the machine has.
+std::string axes_line(const ControlModel& control) {
+    return control.axes.empty() ? "" : line("axes", control.axes);
+}
+
+/// Where that is not the rule: a FANUC counts least increments.
+std::string lengths_line(const ControlModel& control) {
+    return control.calculator_input ? line("lengths", "without a point in millimetres or inches") : "";
+}
+
 /// What is not as it comes, by reason.
 class Changes {
   public:
@@ -159,6 +169,8 @@ std::string paragraph(const SnapshotFile& file, const ReadFile& read) {
     out += control_line(file, read);
     out += look_ahead_line(read.file->control->functions);
     out += own_codes_line(*read.file->control);
+    out += axes_line(*read.file->control);
+    out += lengths_line(*read.file->control);
     out += vendor_line(file, read);
     if (!file.settings.baseline.empty()) out += line("baseline", shown(file.settings.baseline));
     out += line("encoding", std::string(name_of(read.source->stored_encoding())));

@@ -144,9 +144,9 @@ class Loader {
     }
 
     std::shared_ptr<const OwnControl> read_control(const JsonMember& member) {
-        static constexpr std::array<std::string_view, 10> known = {
-            "model", "machine", "gcode-system", "block-if",  "limits", "stops-look-ahead",
-            "codes", "lacks",   "calls",        "parameters"};
+        static constexpr std::array<std::string_view, 13> known = {
+            "model", "machine", "gcode-system", "block-if", "limits", "stops-look-ahead", "codes",
+            "lacks", "calls",   "parameters",   "options",  "axes",   "calculator-input"};
         const auto& settings = object(member.node, "a control");
         const auto model = std::ranges::find(settings, "model", &JsonMember::key);
         if (model == settings.end())
@@ -172,7 +172,7 @@ class Loader {
             if (setting.key == "stops-look-ahead")
                 own.functions.stopping = functions(setting.node, own.functions);
             if (setting.key == "block-if") own.block_if = truth(setting.node, "'block-if'");
-            read_machine(setting, own.machine);
+            read_machine(setting, own.machine, *base);
             if (setting.key == "gcode-system") {
                 const ControlModel* system = of_system(*base, setting.node);
                 if (base->machine == Machine::lathe) base = system;
@@ -185,7 +185,15 @@ class Loader {
     }
 
     /// The keys that tell what one machine has.
-    void read_machine(const JsonMember& setting, MachineFacts& machine) {
+    void read_machine(const JsonMember& setting, MachineFacts& machine, const ControlModel& model) {
+        if (setting.key == "options") {
+            machine.list_options();
+            for (const JsonNode& element : array(setting.node, "'options'"))
+                accept(machine.add_option(text(element, "an entry of 'options'"), model), element.span);
+        }
+        if (setting.key == "axes") accept(machine.set_axes(text(setting.node, "'axes'")), setting.node.span);
+        if (setting.key == "calculator-input")
+            machine.set_calculator_input(truth(setting.node, "'calculator-input'"));
         if (setting.key == "codes")
             for (const JsonNode& element : array(setting.node, "'codes'"))
                 accept(machine.add_codes(text(element, "an entry of 'codes'")), element.span);

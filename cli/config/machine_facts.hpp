@@ -18,15 +18,25 @@ struct WrongWord {
 
 class MachineFacts {
   public:
-    [[nodiscard]] bool empty() const { return codes_.empty() && letters_.empty(); }
+    [[nodiscard]] bool empty() const {
+        return codes_.empty() && letters_.empty() && axes_.empty() && !options_ && !calculator_input_;
+    }
 
     /// "G310", several in a row as "M50-M59": codes of the machine's own. There are no others of the letter.
     [[nodiscard]] std::optional<WrongWord> add_codes(std::string_view word);
     /// "G51", "G68-G69": codes whose option is not fitted.
     [[nodiscard]] std::optional<WrongWord> add_missing(std::string_view word);
-    /// "G81" that calls "O9010".
+    /// "scaling": an option that is fitted. Codes of the control's other options are not.
+    [[nodiscard]] std::optional<WrongWord> add_option(std::string_view word, const ControlModel& control);
+    /// That the machine has some of the options, or none of them.
+    void list_options();
+    /// "XYZA": the letters of all axes.
+    [[nodiscard]] std::optional<WrongWord> set_axes(std::string_view letters);
+    /// Whether a length without a point is one in millimetres or inches.
+    void set_calculator_input(bool value) { calculator_input_ = value; }
+    /// "G81" that calls "O9010"; "T": any T word does.
     [[nodiscard]] std::optional<WrongWord> add_call(std::string_view code, std::string_view program);
-    /// Parameter 6050 of 81: G81 calls O9010. 0: it calls nothing.
+    /// Parameter 6050 of 81: G81 calls O9010. 0: it calls nothing. "6001#5" of 1: T calls O9000.
     [[nodiscard]] std::optional<WrongWord> add_parameter(std::string_view number, double value);
     /// "G81=O9010", "6050=81", as the command line writes them.
     [[nodiscard]] std::optional<WrongWord> add_assignment(std::string_view word);
@@ -36,8 +46,12 @@ class MachineFacts {
 
   private:
     void add(OwnCode code);
+    void add_missing_options(const ControlModel& control);
     std::vector<OwnCode> codes_; ///< by letter and number, each once
     std::string letters_;        ///< whose codes are all told
+    std::string axes_;           ///< empty: not told
+    std::optional<std::vector<std::string>> options_;
+    std::optional<bool> calculator_input_;
 };
 
 } // namespace maclint::cli

@@ -2,6 +2,7 @@
 //! good one.
 #include "cli/options/check_options.hpp"
 
+#include "analyzer/dialect/dialect.hpp"
 #include "analyzer/source/platform/console.hpp"
 #include "analyzer/source/platform/output.hpp"
 #include "cli/input/wildcards.hpp"
@@ -120,6 +121,11 @@ MachineFacts machine_of(const CheckWords& words) {
     take_words("--codes", words.codes, [&](std::string_view word) { return machine.add_codes(word); });
     take_words("--lacks", words.lacks, [&](std::string_view word) { return machine.add_missing(word); });
     take_words("--calls", words.calls, [&](std::string_view word) { return machine.add_assignment(word); });
+    const ControlModel& all = *find_control("fanuc"); // that has options
+    take_words("--options", words.options,
+               [&](std::string_view word) { return machine.add_option(word, all); });
+    if (!words.axes.empty())
+        if (const auto wrong = machine.set_axes(words.axes)) refuse("--axes: " + wrong->message + ".");
     return machine;
 }
 
@@ -215,6 +221,12 @@ void declare_check(CLI::App& check, CheckWords& words) {
         check.add_option("--calls", words.calls,
                          "Codes that call programs, such as G81=O9010, or by their parameter, 6050=81"))
         ->type_name("CODE=PROGRAM");
+    repeatable(
+        check.add_option("--options", words.options,
+                         "All options of a FANUC that the machine has, as 'maclint controls' lists them"))
+        ->type_name("OPTIONS");
+    check.add_option("--axes", words.axes, "Letters of all axes of the machine, such as XYZA")
+        ->type_name("LETTERS");
     repeatable(check.add_option(
                    "--select", words.select,
                    "Only these rules: codes, names, rows such as MAC523/G83.Q, prefixes such as MAC3, ALL"))

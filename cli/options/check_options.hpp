@@ -14,10 +14,11 @@ namespace maclint::cli {
 
 /// Options of `check` as they were typed.
 struct CheckWords {
-    std::vector<std::string> paths, outputs, select, ignore, severity, without_exemption, codes, lacks, calls;
+    std::vector<std::string> paths, outputs, select, ignore, severity, without_exemption, codes, lacks, calls,
+        options;
     std::string format, dialect = "auto", control, config, stdin_name, jobs, fail_on = "warning",
                         max_findings, max_file_size, path = "short", colour = "auto", baseline,
-                        write_baseline, since;
+                        write_baseline, since, axes;
     bool isolated = false, show_config = false, show_files = false, quiet = false, no_timestamps = false,
          timing = false, statistics = false, no_baseline = false, prune_baseline = false,
          force_exclude = false, no_gitignore = false, follow_links = false, error_on_empty = false,

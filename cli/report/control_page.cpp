@@ -95,10 +95,18 @@ std::string json_control(const ControlModel& control) {
                              {"what", range->what},
                              {"writable", range->on_write != OnWrite::forbidden},
                              {"source", range->source}});
+    Json options = Json::array();
+    for (const ControlOption& option : control.options)
+        if (option.is_for(control.machine))
+            options.push_back({{"name", option.name},
+                               {"codes", option.codes},
+                               {"what", option.what},
+                               {"source", option.source}});
     json["limits"] = std::move(limits);
     json["chapters"] = std::move(chapters);
     json["modal_groups"] = std::move(groups);
     json["variable_ranges"] = std::move(variables);
+    json["options"] = std::move(options);
     return json.dump(2) + "\n";
 }
 
@@ -118,6 +126,12 @@ std::string plain_control_page(const ControlModel& control, const PageStyle& sty
     for (std::size_t id = 0; id < control.groups.size(); ++id)
         if (const std::string members = members_of(control, id); !members.empty())
             page.add_item(std::string(control.groups[id].name) + ": " + members);
+    if (!control.options.empty())
+        page.add_heading("Options (which are fitted, \"options\" in the configuration tells):");
+    for (const ControlOption& option : control.options)
+        if (option.is_for(control.machine))
+            page.add_item(std::string(option.name) + ": " + std::string(option.what) + " (" +
+                          std::string(option.codes) + ")");
     if (!facts.variables.empty()) page.add_heading("Variables:");
     for (const VariableRange* range : facts.variables)
         page.add_item(numbers_of(*range) + ": " + std::string(range->what) +

@@ -88,6 +88,7 @@ const Word* word_that_moves(const ProgramAnalysis& called, Variable variable, st
 void check(const ProgramAnalysis& analysis, Reporter& reporter) {
     constexpr std::string_view lengths = "XYZUVWIJKR";
     const Program& program = analysis.program();
+    if (program.control->calculator_input) return;
     const auto is_length = [&](const Word& word) {
         return lengths.find(word.address) != std::string_view::npos;
     };

@@ -1,10 +1,13 @@
 //! MAC124: what other controls of the family have, and this one lacks.
 #include "analyzer/program/lacking.hpp"
 #include "analyzer/program/model.hpp"
+#include "analyzer/program/tables.hpp"
+#include "analyzer/queries/missing_axes.hpp"
 #include "rules/rule.hpp"
 #include "rules/syntax_errors.hpp"
 
 #include <algorithm>
+#include <set>
 #include <string>
 #include <string_view>
 #include <variant>
@@ -18,7 +21,7 @@ void check(const ProgramFile& file, Reporter& reporter);
 extern const Rule not_on_this_control{
     .code = "MAC124",
     .name = "not-on-this-control",
-    .summary = "A function, a form of it, or a variable with a name that the control does not have",
+    .summary = "A function, a form of it, an axis or a variable with a name that the control does not have",
     .why = "Newer series and other makers have functions that an older control stops at. A program that runs "
            "on the "
            "machine beside it stops here, when the control comes to the block.",
@@ -30,6 +33,8 @@ extern const Rule not_on_this_control{
                  {"elsewhere", "Condition without a comparison: the assumed control stops at '{0}'.",
                   "If the program runs on {2}, name that (--control), or compare, as in [#1 NE 0]."},
                  {"name", "Variable with a name: the control has none, and stops at '{0}'.", "{1}."},
+                 {"axis", "Axis that the machine lacks: '{0}', and the configuration names {1}.",
+                  "Correct the letter, or add it to \"axes\" of the control."},
                  {"unsure", "Unlisted: no list of what this control has holds '{0}'.", "{1}."},
                  {"macro-a",
                   "Macro A in a program of macro B: '{0}' is a calculation of macro A, and a call here.",
@@ -48,7 +53,8 @@ IF[#500NE0]GOTO9
 G0 X#3 Y[ATAN[#3]/[#500]]
 N9 M99
 )nc"}},
-    .alarms = {{"FANUC 16i/18i/21i", "113", "IMPROPER COMMAND", true, "lacks-function"}},
+    .alarms = {{"FANUC 16i/18i/21i", "113", "IMPROPER COMMAND", true, "lacks-function"},
+               {"FANUC 30i/0i-D", "009", "IMPROPER NC-ADDRESS", true, "axis"}},
     .sources = {"ISORP", "SEED-001:263-278", "SINHA-EXP", "HAAS-118", "GH-ALM"},
     .check = &check,
 };
@@ -71,7 +77,18 @@ bool is_macro_b(const ProgramFile& file, Offset at) {
     });
 }
 
+/// The first word of each; further ones are the same slip.
+void report_axes(const ProgramFile& file, const Program& program, Reporter& reporter) {
+    std::set<std::string_view> told;
+    queries::for_each_missing_axis(program, [&](const Word& word) {
+        if (!told.insert(word.address).second) return;
+        reporter.report({file, word.span}, word.span, "axis",
+                        {std::string(program.slice(word.span)), program.control->axes});
+    });
+}
+
 void check(const ProgramFile& file, Reporter& reporter) {
+    for (const Program& program : file.programs) report_axes(file, program, reporter);
     SyntaxCauses causes(file);
     for (const SyntaxError& error : file.syntax_errors) {
         if (!lacking::is_one(error)) continue;

@@ -72,11 +72,53 @@ TEST(MachineFacts, TakeTheParametersOfAFanuc) {
     EXPECT_THAT(message_of(facts.add_parameter("6071", -5)), HasSubstr("M code"));
 }
 
+TEST(MachineFacts, TakeTheBitThatLetsToolsCallAProgram) {
+    MachineFacts facts;
+    EXPECT_FALSE(facts.add_parameter("6001#5", 0));
+    EXPECT_TRUE(facts.empty());
+    EXPECT_FALSE(facts.add_parameter("6001#5", 1));
+    EXPECT_THAT(codes_with(facts), ElementsAre("T>9000"));
+    EXPECT_THAT(message_of(facts.add_parameter("6001#5", 32)), HasSubstr("0 or 1"));
+}
+
+TEST(MachineFacts, NameAxesOptionsAndHowLengthsCount) {
+    MachineFacts facts;
+    const ControlModel& model = *find_control("fanuc-16i");
+    EXPECT_FALSE(facts.set_axes("xyzA"));
+    facts.set_calculator_input(true);
+    EXPECT_FALSE(facts.add_option("scaling", model));
+    EXPECT_THAT(message_of(facts.set_axes("XYQ")), HasSubstr("does not name axes"));
+    EXPECT_THAT(message_of(facts.set_axes("XX")), HasSubstr("letter of each once"));
+    EXPECT_THAT(message_of(facts.set_axes("")), HasSubstr("has axes"));
+    EXPECT_THAT(message_of(facts.add_option("scalin", model)), HasSubstr("Did you mean 'scaling'?"));
+    EXPECT_THAT(message_of(facts.add_option("scaling", *find_control("haas"))),
+                HasSubstr("is no option of haas"));
+    ControlModel control = model;
+    facts.apply_to(control);
+    EXPECT_EQ(control.axes, "XYZA");
+    EXPECT_TRUE(control.calculator_input);
+    EXPECT_EQ(own_code(control, 'G', 51), nullptr);
+    ASSERT_NE(own_code(control, 'G', 68), nullptr);
+    EXPECT_EQ(own_code(control, 'G', 68)->program, not_fitted);
+    EXPECT_FALSE(model.calculator_input);
+    EXPECT_TRUE(find_control("nct")->calculator_input);
+}
+
+TEST(MachineFacts, SayMoreOfACodeThanItsOptionDoes) {
+    MachineFacts facts;
+    EXPECT_FALSE(facts.add_codes("G51"));
+    facts.list_options();
+    ControlModel control = *find_control("fanuc-16i");
+    facts.apply_to(control);
+    EXPECT_EQ(own_code(control, 'G', 51)->program, 0);
+    EXPECT_EQ(own_code(control, 'G', 50)->program, not_fitted);
+}
+
 TEST(MachineFacts, AreAssignedOnTheCommandLine) {
     MachineFacts facts;
-    for (const std::string_view word : {"G81=O9010", "6080=90"})
+    for (const std::string_view word : {"G81=O9010", "6080=90", "6001#5=1"})
         EXPECT_FALSE(facts.add_assignment(word)) << word;
-    EXPECT_THAT(codes_with(facts), ElementsAre("G81>9010", "M90>9020"));
+    EXPECT_THAT(codes_with(facts), ElementsAre("G81>9010", "M90>9020", "T>9000"));
     EXPECT_THAT(message_of(facts.add_assignment("G81")), HasSubstr("has no '='"));
     EXPECT_THAT(message_of(facts.add_assignment("G81=MACRO")), HasSubstr("is no program"));
     EXPECT_THAT(message_of(facts.add_assignment("6050=G81")), HasSubstr("is no number"));
@@ -123,6 +165,10 @@ TEST(MachineFacts, ThatAreWrongAreToldToTheirAuthor) {
     EXPECT_THAT(refusal(R"("lacks": [51])"), HasSubstr("must be a text"));
     EXPECT_THAT(refusal(R"("calls": {"G81": 9010})"), HasSubstr("must be a text"));
     EXPECT_THAT(refusal(R"("calls": {"T5": "O9010"})"), HasSubstr("is no G or M code"));
+    EXPECT_THAT(refusal(R"("axes": ["X"])"), HasSubstr("must be a text"));
+    EXPECT_THAT(refusal(R"("options": ["scalin"])"), HasSubstr("Did you mean 'scaling'?"));
+    EXPECT_THAT(refusal(R"("calculator-input": 1)"), HasSubstr("'calculator-input'"));
+    EXPECT_EQ(refusal(R"("axes": "XYZ", "options": [], "calls": {"T": "O9000"})"), "accepted");
 }
 
 class MachineFactsOfARun : public test::InRepository {};
@@ -156,6 +202,9 @@ TEST_F(MachineFactsOfARun, MakeCodesCallTheirPrograms) {
 TEST_F(MachineFactsOfARun, ThatAreNoneAreRefused) {
     EXPECT_THAT(run({"--codes", "H5", "."}).err, HasSubstr("--codes: 'H5' is no G or M code."));
     EXPECT_EQ(run({"--calls", "G81", "."}).status, 2);
+    EXPECT_THAT(run({"--axes", "XQ", "."}).err, HasSubstr("--axes: 'XQ' does not name axes."));
+    EXPECT_THAT(run({"--options", "nothing", "."}).err,
+                HasSubstr("--options: 'nothing' is no option of fanuc"));
 }
 
 } // namespace

@@ -54,6 +54,34 @@ std::vector<std::string> calls_in(const std::string& text, const ControlModel& c
     return calls;
 }
 
+/// On which any T word calls O9000.
+ControlModel with_tool_call(const char* name) {
+    ControlModel own = *find_control(name);
+    own.own_codes = {{'T', 0, 9000}};
+    return own;
+}
+
+TEST(OwnCodes, AreTWordsWhoseNumbersTheirProgramFinds) {
+    const ControlModel control = with_tool_call("fanuc-16i");
+    EXPECT_THAT(calls_in("O1\nT5\nN7 T6 M6\nT#1\nM30\n", control),
+                ElementsAre("M98 subprogram call of 9000", "M98 subprogram call of 9000",
+                            "M98 subprogram call of 9000"));
+    const ProgramFile file = read("O1\nT5\nM30\n", control, Extent::whole);
+    const auto& effects = file.programs.front().effects;
+    ASSERT_GE(effects.size(), 2U);
+    const auto* stored = std::get_if<Assign>(&effects[0].what);
+    ASSERT_NE(stored, nullptr);
+    EXPECT_EQ(std::get<Variable>(stored->target).number, 149);
+    EXPECT_THAT(calls_in("O9000\nT#149\nM99\n", control), IsEmpty()) << "in the program itself T is T";
+    EXPECT_THAT(calls_in("O1\nT5\nM30\n", *find_control("fanuc-16i")), IsEmpty());
+}
+
+TEST(OwnCodes, OfALatheCallInPlaceOfTheTool) {
+    const ControlModel control = with_tool_call("fanuc-16i-lathe");
+    EXPECT_THAT(calls_in("O1\nT0101\nM30\n", control), ElementsAre("M98 subprogram call of 9000"));
+    EXPECT_THAT(calls_in("O1\nG65 P9010 T5\nM30\n", control), ElementsAre("G65 macro call of 9010 T"));
+}
+
 TEST(OwnCodes, CallMacrosWithTheWordsOfTheirBlock) {
     EXPECT_THAT(calls_in("O1\nN5 G90 G81 X1. A5. B#100 L2\nM30\n", machine()),
                 ElementsAre("G65 macro call of 9010 X A B repeated"));

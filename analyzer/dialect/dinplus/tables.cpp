@@ -49,6 +49,7 @@ ControlModel make() {
     control.description = "HEIDENHAIN DIN PLUS";
     control.has_block_if = true;
     control.machine = Machine::lathe; // CNC PILOT, MANUALplus
+    control.calculator_input = true;  // all examples of the manual write X80 for 80 mm
     control.assumed = false;
     control.return_word = "RETURN"; // l.2949, l.19944
     // "Chained at most six times" is read as six levels below the main program. No limit of loops is

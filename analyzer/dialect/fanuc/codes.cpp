@@ -135,6 +135,7 @@ CodeTable with_calls(CodeTable table, const ControlModel& control) {
             table.g[tenths(code.number)] = {.group = no_group, .traits = traits};
         const auto number = static_cast<std::size_t>(code.number);
         if (code.letter == 'M' && number < table.m.size()) table.m[number] = traits;
+        table.tool_calls_program |= code.letter == tool_letter;
         if (code.letter == 'M' && number < table.m_groups.size()) table.m_groups[number] = no_group;
     }
     table.plain = plain_tables(table);

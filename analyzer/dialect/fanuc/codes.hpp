@@ -51,6 +51,7 @@ struct CodeTable {
     GroupId speed;
     GroupId local_offset;
     bool tool_changes_at_once; ///< by T alone, as lathes do: T0101
+    bool tool_calls_program;   ///< by a parameter of the machine
     syntax::PlainTables plain; ///< for blocks that need no grammar
 
     [[nodiscard]] bool is_axis(char letter) const {

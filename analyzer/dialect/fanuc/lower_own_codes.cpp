@@ -8,6 +8,12 @@
 #include <vector>
 
 namespace maclint::fanuc {
+namespace {
+
+/// Where the program that a T word calls finds its number [B-62093E, 3.1.1].
+constexpr Variable tool_variable{spaces::common, 149};
+
+} // namespace
 
 /// Within a program that such a code has called the codes are ordinary ones [T: section on macro calls by G
 /// code of the manuals].
@@ -24,9 +30,10 @@ const CodeTable& BlockLowering::codes() {
 
 /// What the word calls here, or nullptr.
 const OwnCode* BlockLowering::own_call(const NcWord& word) {
-    if (word.comma || !word.literal || (word.letter != 'G' && word.letter != 'M')) return nullptr;
-    if (&codes() != &codes_) return nullptr;
-    const OwnCode* code = own_code(*program_->control, word.letter, *word.literal);
+    const bool tool = word.letter == tool_letter && word.value;
+    const bool other = (word.letter == 'G' || word.letter == 'M') && word.literal;
+    if (word.comma || (!tool && !other) || &codes() != &codes_) return nullptr;
+    const OwnCode* code = own_code(*program_->control, word.letter, tool ? 0 : *word.literal);
     return code != nullptr && calls_program(*code) ? code : nullptr;
 }
 
@@ -52,6 +59,7 @@ bool BlockLowering::lower_own_macro(std::span<const NcWord> words, Span span) {
 void BlockLowering::lower_own_subprogram(const NcWord& code, Span span) {
     const OwnCode& own = *own_call(code);
     if (!calls_subprogram(own)) return; // a macro, which the block has called by then
+    if (own.letter == tool_letter) effect({Assign{tool_variable, *code.value}, span});
     effect({Call{literal(static_cast<double>(own.program), span), calls::m98, {}, std::nullopt}, span});
 }
 

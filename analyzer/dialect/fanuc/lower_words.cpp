@@ -3,6 +3,7 @@
 #include "analyzer/dialect/fanuc/lowering.hpp"
 #include "analyzer/dialect/fanuc/tables.hpp"
 #include "analyzer/dialect/numbers.hpp"
+#include "analyzer/program/own_codes.hpp"
 
 #include <algorithm>
 #include <array>
@@ -191,8 +192,10 @@ void BlockLowering::lower_usual_words(std::span<const NcWord> words, Span span) 
     }
     for (const NcWord& word : words) {
         const bool lathe_tool = word.letter == 'T' && codes_.tool_changes_at_once;
-        if (lathe_tool && !word.comma && word.value && !own_words)
+        const bool calls = codes.tool_calls_program && !own_words && own_call(word) != nullptr;
+        if (lathe_tool && !word.comma && word.value && !own_words && !calls)
             effect({ToolChange{}, this->span(*word.node)});
+        if (calls && word.letter == tool_letter) lower_own_subprogram(word, this->span(*word.node));
         if (word.letter == 'M' && !word.comma && word.literal) lower_machine_function(word, words, span);
     }
 }

@@ -63,7 +63,7 @@ PlainTables plain_tables(const CodeTable& codes) {
     set(tables, "S",
         {.start = PlainStart::value, .which = codes.speed, .traits = speed_as_limit, .form = whole});
     set(tables, "N", {.start = PlainStart::block_number});
-    if (codes.tool_changes_at_once) set(tables, "T", {});
+    if (codes.tool_changes_at_once || codes.tool_calls_program) set(tables, "T", {});
     for (std::size_t i = 0; i < letters.size(); ++i) tables.names[i] = letters.substr(i, 1);
     for (const char c : std::string_view("GM"))
         tables.may_repeat.add(static_cast<syntax::AddressId>(c - 'A'));

@@ -49,6 +49,9 @@ constexpr CallKindId g65 = 0, g66 = 1, g66_1 = 2, m98 = 3, m198 = 4;
 constexpr std::array<std::int32_t, 26> local_of_letter{1, 2, 3, 7, 8, 9, 0, 11, 4, 5, 6, 0, 13, 0, 0, 0, 17, 18, 19, 20, 21, 22, 23, 24, 25, 26};
 // clang-format on
 
+/// Of the controls of the model; empty: nobody has told.
+[[nodiscard]] std::span<const ControlOption> options_of(std::string_view model);
+
 /// All controls of the family.
 [[nodiscard]] std::span<const ControlModel> fanuc_controls();
 /// The control of that name, which must exist.

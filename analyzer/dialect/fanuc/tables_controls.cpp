@@ -21,7 +21,8 @@ struct ControlRow {
     bool offset_is_group_12;        ///< #4012 reads G54-G59
     bool decimals;                  ///< variables like #30003.036 read settings and parameters
     bool increments;                ///< an I between address and value makes it incremental [NCT-9]
-    std::string_view alarms;        ///< the list of its alarms
+    bool whole_lengths;      ///< X325 is 325 mm [NCT-40]; a FANUC does so where parameter 3401#0 says it
+    std::string_view alarms; ///< the list of its alarms
     /// `M99O0810`, as a control punches it where a program ended without an end of block: O begins the next
     /// program. Dumps of programs have it [T].
     Reading program_behind_end;
@@ -33,19 +34,19 @@ constexpr Reading takes = Reading::takes, quiet = Reading::unknown;
 
 // clang-format off
 const std::array<ControlRow, 10> rows{{
-    // model         description                              assumed  macro sub DO  first last [ ] source                                            P rep  lathes #4012  decimals  ZI5    alarms              M99O2  G0=G80 M99P
-    {"fanuc",        "FANUC, series not named",               true,  {4,     4, 3,  1,    3,    5,  "as 16i/18i/21i"},                                true,  "ABC", false, false, false, "FANUC 16i/18i/21i", takes, true,  false},
-    {"fanuc-16i",    "FANUC Series 16i/18i/21i",              false, {4,     4, 3,  1,    3,    5,  "MAN-PB278; SEED-001:462,395; MAN-16C287"},       true,  "ABC", false, false, false, "FANUC 16i/18i/21i", takes, true,  false},
-    {"fanuc-0i-c",   "FANUC Series 0i-B/C",                   false, {4,     4, 3,  1,    3,    5,  "TENC-G65; T"},                                   true,  "ABC", false, false, false, "FANUC 16i/18i/21i", takes, true,  false},
-    {"fanuc-0i-d",   "FANUC Series 0i-D/F",                   false, {5,    10, 3,  1,    3,    5,  "CNCWIKI-CALL, CNCWIKI-LOGIC; T"},                true,  "ABC", false, false, false, "FANUC 30i/0i-D",    takes, true,  false},
-    {"fanuc-30i",    "FANUC Series 30i/31i/32i",              false, {5,    10, 3,  1,    3,    5,  "CNCWIKI-CALL, CNCWIKI-LOGIC; T"},                true,  "ABC", false, false, false, "FANUC 30i/0i-D",    takes, true,  false},
-    {"nct",          "NCT 104-M",                             false, {4,     4, 3,  1,    3,    5,  "NCT-171; NCT-188; M98 and DO levels unknown"},   true,  "",    false, false, true,  "NCT",               quiet, true,  false},
-    {"haas",         "Haas",                                  false, {9,     9, 3,  1,    3,    5,  "T"},                                             false, "A",   true,  true,  false, "",                  quiet, true,  true},
+    // model         description                              assumed  macro sub DO  first last [ ] source                                            P rep  lathes #4012  decimals  ZI5    X325   alarms              M99O2  G0=G80 M99P
+    {"fanuc",        "FANUC, series not named",               true,  {4,     4, 3,  1,    3,    5,  "as 16i/18i/21i"},                                true,  "ABC", false, false, false, false, "FANUC 16i/18i/21i", takes, true,  false},
+    {"fanuc-16i",    "FANUC Series 16i/18i/21i",              false, {4,     4, 3,  1,    3,    5,  "MAN-PB278; SEED-001:462,395; MAN-16C287"},       true,  "ABC", false, false, false, false, "FANUC 16i/18i/21i", takes, true,  false},
+    {"fanuc-0i-c",   "FANUC Series 0i-B/C",                   false, {4,     4, 3,  1,    3,    5,  "TENC-G65; T"},                                   true,  "ABC", false, false, false, false, "FANUC 16i/18i/21i", takes, true,  false},
+    {"fanuc-0i-d",   "FANUC Series 0i-D/F",                   false, {5,    10, 3,  1,    3,    5,  "CNCWIKI-CALL, CNCWIKI-LOGIC; T"},                true,  "ABC", false, false, false, false, "FANUC 30i/0i-D",    takes, true,  false},
+    {"fanuc-30i",    "FANUC Series 30i/31i/32i",              false, {5,    10, 3,  1,    3,    5,  "CNCWIKI-CALL, CNCWIKI-LOGIC; T"},                true,  "ABC", false, false, false, false, "FANUC 30i/0i-D",    takes, true,  false},
+    {"nct",          "NCT 104-M",                             false, {4,     4, 3,  1,    3,    5,  "NCT-171; NCT-188; M98 and DO levels unknown"},   true,  "",    false, false, true,  true,  "NCT",               quiet, true,  false},
+    {"haas",         "Haas",                                  false, {9,     9, 3,  1,    3,    5,  "T"},                                             false, "A",   true,  true,  false, false, "",                  quiet, true,  true},
     // Its manual of 1999 names G80 alone.
-    {"haas-1999",    "Haas of before 2000",                   false, {9,     9, 3,  1,    3,    5,  "T"},                                             false, "A",   true,  true,  false, "",                  quiet, false, true},
+    {"haas-1999",    "Haas of before 2000",                   false, {9,     9, 3,  1,    3,    5,  "T"},                                             false, "A",   true,  true,  false, false, "",                  quiet, false, true},
     // Second hand: of these two only what the columns say is known.
-    {"mitsubishi",   "Mitsubishi M700/M800",                  false, {4,     8, 27, 1,    127,  5,  "CNCWIKI-CALL, CNCWIKI-SUB, CNCWIKI-LOGIC; T"},   false, "ABC", false, false, false, "",                  quiet, true,  false},
-    {"mazak-eia",    "Mazak EIA/ISO",                         false, {4,     8, 27, 1,    127,  5,  "T, as Mitsubishi"},                              false, "ABC", false, false, false, "",                  quiet, true,  false},
+    {"mitsubishi",   "Mitsubishi M700/M800",                  false, {4,     8, 27, 1,    127,  5,  "CNCWIKI-CALL, CNCWIKI-SUB, CNCWIKI-LOGIC; T"},   false, "ABC", false, false, false, false, "",                  quiet, true,  false},
+    {"mazak-eia",    "Mazak EIA/ISO",                         false, {4,     8, 27, 1,    127,  5,  "T, as Mitsubishi"},                              false, "ABC", false, false, false, false, "",                  quiet, true,  false},
 }};
 // clang-format on
 
@@ -117,6 +118,8 @@ ControlModel make(const ControlRow& row, char system) {
         control.series.push_back(
             {{{spaces::local, first}, {spaces::local, first + 1}, {spaces::local, first + 2}}});
     control.vacant_equals_zero = false;
+    control.calculator_input = row.whole_lengths;
+    control.options = options_of(row.model);
     control.idle = idle_values(control.groups);
     control.machine_words = &machine_words(system);
     control.first_free_code = 100; // parameters 6050-6059 make a G code of up to four digits call a macro [T]
