@@ -7,16 +7,21 @@ namespace maclint {
 
 /// A program that shows the rule.
 struct Example {
+    static constexpr std::string_view usual_file = "example.nc";
+
     /// A line end at the very beginning of the text is left out, so that it can stand as it looks in a raw
     /// string.
-    Example(std::string_view dialect_name, std::string_view program, bool in_complete_folder = false)
+    Example(std::string_view dialect_name, std::string_view program, bool in_complete_folder = false,
+            std::string_view file_name = usual_file)
         : dialect(dialect_name)
         , text(program.starts_with('\n') ? program.substr(1) : program)
-        , complete(in_complete_folder) {}
+        , complete(in_complete_folder)
+        , file(file_name) {}
 
     std::string_view dialect; ///< as --dialect takes it
     std::string_view text;
-    bool complete; ///< shown in a folder that the configuration declares complete
+    bool complete;         ///< shown in a folder that the configuration declares complete
+    std::string_view file; ///< its name
 };
 
 } // namespace maclint

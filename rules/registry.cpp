@@ -109,6 +109,7 @@
     RULE(sequence_number_range)                 /* MAC464 */ \
     RULE(n_not_first)                           /* MAC465 */ \
     RULE(call_ends_in_alarm)                    /* MAC470 */ \
+    RULE(file_and_number_differ)                /* MAC471 */ \
     RULE(modal_state_not_restored)              /* MAC501 */ \
     RULE(compensation_or_transform_left_active) /* MAC502 */ \
     RULE(feed_or_speed_not_restored)            /* MAC503 */ \
@@ -132,9 +133,13 @@
     RULE(chamfer_or_corner)                     /* MAC529 */ \
     RULE(tapping_order)                         /* MAC530 */ \
     RULE(integer_word_decimal)                  /* MAC551 */ \
+    RULE(missing_decimal_motion)                /* MAC552 */ \
     RULE(feed_missing)                          /* MAC553 */ \
     RULE(spindle_missing)                       /* MAC554 */ \
     RULE(duplicate_address)                     /* MAC559 */ \
+    RULE(canned_cycle_data_mode)                /* MAC564 */ \
+    RULE(canned_k0_misuse)                      /* MAC565 */ \
+    RULE(dwell_format)                          /* MAC566 */ \
     RULE(return_through_zero)                   /* MAC567 */ \
     RULE(length_offset_missing)                 /* MAC568 */ \
     RULE(canned_cycle_over_tool_change)         /* MAC569 */ \

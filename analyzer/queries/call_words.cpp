@@ -109,6 +109,14 @@ bool ends_program(const ControlModel& control, const Word& word) {
             literal->value == without_rewinding);
 }
 
+bool begins_cycle(const ControlModel& control, const Word& word) {
+    const auto* code = std::get_if<Literal>(&word.value);
+    if (word.address != "G" || code == nullptr) return false;
+    const auto group = control.group_of('G', code->value);
+    return group && control.groups[*group].role == ModalRole::cycle &&
+           control.groups[*group].cancel != code->value;
+}
+
 bool can_be_passed(const ControlModel& control, Variable variable) {
     const auto holds = [&](const auto& variables) {
         return std::ranges::find(variables, variable) != std::ranges::end(variables);

@@ -53,6 +53,9 @@ struct CallInBlock {
 /// M99, M30, M02 as a word.
 [[nodiscard]] bool ends_program(const ControlModel& control, const Word& word);
 
+/// G81 as a word, whatever the control names a canned cycle; not the code that ends one.
+[[nodiscard]] bool begins_cycle(const ControlModel& control, const Word& word);
+
 /// Whether a call may give the variable a value: by a letter, or as one of a set of I, J and K.
 [[nodiscard]] bool can_be_passed(const ControlModel& control, Variable variable);
 

@@ -5,10 +5,12 @@
 #include "analyzer/program/tables.hpp"
 #include "analyzer/queries/enclosed_blocks.hpp"
 #include "analyzer/queries/modes_at.hpp"
+#include "analyzer/queries/move_lengths.hpp"
 #include "analyzer/workspace/program_analysis.hpp"
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <optional>
 #include <utility>
 #include <variant>
@@ -46,7 +48,7 @@ class Corners {
             if (is_corner(word)) corners.push_back(&word);
         const auto unknown = std::ranges::find_if(words, is_unknown);
         if (unknown != words.end()) return tell(*unknown, "unknown_word");
-        if (corners.empty()) return;
+        if (corners.empty()) return look_at_angle(block, words);
         const bool has_comma = corners.front()->address.starts_with(',');
         if (!has_comma && !is_plain_cut(block, words)) return;
         look_at(block, words, corners);
@@ -85,28 +87,60 @@ class Corners {
             if (const auto code = g_code(word);
                 code && std::ranges::find(compensation, *code) != compensation.end())
                 return visit_({corner, "compensation", text(corner), text(word)});
-        look_behind(block, corner);
+        look_behind(block, words, corner);
     }
 
-    /// The next block with words, if one stands near: a dwell may stand between.
-    void look_behind(const BlockView& block, const Word& corner) {
+    /// A block with an angle and no end point leaves both to the next one.
+    void look_at_angle(const BlockView& block, Words words) {
+        const auto angle = std::ranges::find(words, ",A", &Word::address);
+        if (angle == words.end() || std::ranges::any_of(words, is_axis)) return;
+        with_next(block, [&](const BlockView& next, Words behind) {
+            const bool goes_on = std::ranges::any_of(
+                behind, [](const Word& word) { return is_axis(word) || word.address == ",A"; });
+            if (!goes_on && next.effects.count == 0) tell(*angle, "no_end");
+        });
+    }
+
+    /// Whether two moves along two axes leave no room for the corner between them.
+    [[nodiscard]] bool is_too_large(const BlockView& block, Words words, const BlockView& next, Words behind,
+                                    const Word& corner) {
+        const auto* amount = std::get_if<Literal>(&corner.value);
+        if (amount == nullptr) return false;
+        const auto first = single_move(analysis_, modes_, block, words);
+        const auto second = single_move(analysis_, modes_, next, behind);
+        const auto is_shorter = [&](const std::optional<AxisMove>& move) {
+            return move && move->length != 0 && move->length < std::abs(amount->value);
+        };
+        if (first && second && first->axis == second->axis) return false;
+        return is_shorter(first) || is_shorter(second);
+    }
+
+    /// `visit(block, words)` for the next block with words, if one stands near: a dwell may stand between.
+    template<class Visit>
+    void with_next(const BlockView& block, const Visit& visit) {
         constexpr Offset near = 400;
         const Program& program = analysis_.program();
         const auto size = static_cast<Offset>(program.text.size());
         bool is_over = false;
         for_each_block_in(program, {block.span.end, std::min(size, block.span.end + near)},
                           [&](const BlockView& next, Words words) {
-                              if (std::exchange(is_over, true)) return;
-                              const bool has_code = std::ranges::any_of(words, [](const Word& word) {
-                                  const auto code = g_code(word);
-                                  return word.address == "G" && code != 0;
-                              });
-                              const bool moves = std::ranges::any_of(words, [](const Word& word) {
-                                  return is_axis(word) || word.address == ",A";
-                              });
-                              if (moves && motion_of(next) == 0) tell(corner, "rapid");
-                              if (!moves && !has_code && next.effects.count == 0) tell(corner, "no_move");
+                              if (!std::exchange(is_over, true)) visit(next, words);
                           });
+    }
+
+    void look_behind(const BlockView& block, Words words, const Word& corner) {
+        with_next(block, [&](const BlockView& next, Words behind) {
+            const bool has_code = std::ranges::any_of(behind, [](const Word& word) {
+                const auto code = g_code(word);
+                return word.address == "G" && code != 0;
+            });
+            const bool moves = std::ranges::any_of(
+                behind, [](const Word& word) { return is_axis(word) || word.address == ",A"; });
+            if (moves && motion_of(next) == 0) return tell(corner, "rapid");
+            if (!moves && !has_code && next.effects.count == 0) return tell(corner, "no_move");
+            if (moves && motion_of(next) == 1 && is_too_large(block, words, next, behind, corner))
+                tell(corner, "short");
+        });
     }
 
     [[nodiscard]] std::string text(const Word& word) const {

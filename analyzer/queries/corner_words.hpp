@@ -16,7 +16,7 @@ namespace queries {
 /// Good as long as its visitor runs.
 struct ImpossibleCorner {
     const Word& word;
-    /// "several", "unknown_word", "taper", "compensation", "no_move" or "rapid".
+    /// "several", "unknown_word", "taper", "compensation", "no_move", "rapid", "short" or "no_end".
     std::string_view why;
     std::string words; ///< the word as it is written, or all of them
     std::string code;  ///< of compensation

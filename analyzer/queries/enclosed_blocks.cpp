@@ -16,6 +16,19 @@ struct OneNumber {
     }
 };
 
+Span span_of(const Item& item) {
+    return std::visit([](const auto& one) { return one.span; }, item);
+}
+
+/// Of those that the part meets; items stand in the order of the text.
+Slice items_in(const Program& program, Span part) {
+    const auto first = std::ranges::partition_point(
+        program.items, [&](const Item& item) { return span_of(item).end <= part.begin; });
+    const auto last = std::partition_point(
+        first, program.items.end(), [&](const Item& item) { return span_of(item).begin < part.end; });
+    return {static_cast<Id>(first - program.items.begin()), static_cast<Id>(last - first)};
+}
+
 } // namespace
 
 std::vector<Span> blocks_numbered(const Program& program, std::int64_t number) {
@@ -38,7 +51,7 @@ std::optional<std::int64_t> block_number(const Word& word) {
 void for_each_block_in(const Program& program, Span part,
                        const std::function<void(const BlockView&, std::span<const Word>)>& visit) {
     for_each_block_with_words(
-        program, {0, static_cast<Id>(program.items.size())},
+        program, items_in(program, part),
         [&](const PlainRun& run, const auto& take) {
             // Whole blocks: one that is cut off would be another.
             const std::size_t line_end =
@@ -51,6 +64,18 @@ void for_each_block_in(const Program& program, Span part,
         [&](const BlockView& block, std::span<const Word> words, const WordSummary*) {
             if (block.span.begin >= part.begin && block.span.begin < part.end) visit(block, words);
         });
+}
+
+std::optional<Span> first_statement_in(const Program& program, Span part) {
+    const auto stores = [](const Effect& effect) { return std::holds_alternative<Assign>(effect.what); };
+    const Slice items = items_in(program, part);
+    for (Id i = items.first; i < items.first + items.count; ++i) {
+        const auto* block = std::get_if<Block>(&program.items[i]);
+        if (block != nullptr && block->words.count == 0 &&
+            !std::ranges::all_of(program.effects_in(block->effects), stores))
+            return block->span;
+    }
+    return std::nullopt;
 }
 
 } // namespace maclint::queries

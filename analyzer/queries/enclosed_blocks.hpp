@@ -21,4 +21,8 @@ namespace maclint::queries {
 void for_each_block_in(const Program& program, Span part,
                        const std::function<void(const BlockView&, std::span<const Word>)>& visit);
 
+/// The first block of the part that has no words and does more than store values: a jump, a loop, text that
+/// nobody can read.
+[[nodiscard]] std::optional<Span> first_statement_in(const Program& program, Span part);
+
 } // namespace maclint::queries

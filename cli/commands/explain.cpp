@@ -34,7 +34,7 @@ std::vector<std::uint32_t> lines_found(const Example& example, Overrides overrid
     overrides.dialect = find_dialect(example.dialect);
     overrides.complete = example.complete;
     Settings settings(std::move(overrides));
-    const std::string path = "example.nc";
+    const std::string path(example.file);
     Snapshot snapshot;
     snapshot.files.push_back({{.path = path, .named = true},
                               *settings.for_file(path),

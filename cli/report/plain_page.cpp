@@ -48,7 +48,7 @@ void PlainPage::add_lines(std::string_view text, std::string_view before) {
 
 void PlainPage::add_example(std::string_view heading, const Example& example,
                             const std::vector<std::uint32_t>& marked) {
-    add_heading(std::string(heading) + " (" + std::string(example.dialect) + "):");
+    add_heading(std::string(heading) + " (" + origin_of(example) + "):");
     const std::string text = shown_example(example);
     std::uint32_t number = 1;
     for (std::string_view rest = text; !rest.empty(); ++number) {
@@ -65,6 +65,12 @@ void PlainPage::add_source(std::string_view source) {
     const std::string shown = shown_source(source);
     add_item(shown);
     if (shown == source && !document_of(source).empty()) add_lines(document_of(source), "        ");
+}
+
+std::string origin_of(const Example& example) {
+    std::string origin(example.dialect);
+    if (example.file != Example::usual_file) origin.append(", ").append(example.file);
+    return origin;
 }
 
 std::string shown_example(const Example& example) {

@@ -57,6 +57,8 @@ class PlainPage {
     std::string out_;
 };
 
+/// "fanuc"; "fanuc, O1002.nc" where the name of the file matters.
+[[nodiscard]] std::string origin_of(const Example& example);
 /// An example that a page can show: very long ones are cut.
 [[nodiscard]] std::string shown_example(const Example& example);
 /// A source with what its key means where that decides how far to trust it.

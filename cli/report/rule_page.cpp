@@ -75,7 +75,7 @@ std::string facts_of(const Rule& rule) {
 std::string markdown_examples(std::string_view heading, const std::vector<Example>& examples) {
     std::string out;
     for (const Example& example : examples)
-        out += "\n## " + std::string(heading) + " (" + std::string(example.dialect) + ")\n\n```\n" +
+        out += "\n## " + std::string(heading) + " (" + origin_of(example) + ")\n\n```\n" +
                shown_example(example) + "```\n";
     return out;
 }

@@ -20,24 +20,26 @@ void check(const ProgramAnalysis& analysis, Reporter& reporter);
 extern const Rule two_calls_one_block{
     .code = "MAC423",
     .name = "two-calls-one-block",
-    .summary = "A block calls two programs, or calls one and ends its own",
+    .summary = "A block calls two programs, or calls one and ends its own or begins a cycle",
     .why =
         "A block has one P, and the control goes to one place when it ends: of two calls one is lost, or the "
         "control stops. A code that ends the program is an argument where it stands after a macro call.",
     .severity = Severity::error,
     .precision = Precision::very_high,
     .needs = {Capability::macro_calls},
-    .messages = {{"macro", "Two macro calls in one block: '{0}' and '{1}'.",
-                  "Give each call a block of its own."},
-                 {"sub", "Two subprogram calls in one block: '{0}' and '{1}', with one P for both.",
-                  "Give each call a block of its own."},
-                 {"end",
-                  "A call and an end in one block: '{0}' beside '{1}', and the control does one of them.",
-                  "Give each a block of its own."},
-                 {"passed",
-                  "End of a program as an argument: after '{0}', '{1}' passes a value that {2} does not "
-                  "read, and ends nothing.",
-                  "Give it a block of its own."}},
+    .messages =
+        {{"macro", "Two macro calls in one block: '{0}' and '{1}'.", "Give each call a block of its own."},
+         {"sub", "Two subprogram calls in one block: '{0}' and '{1}', with one P for both.",
+          "Give each call a block of its own."},
+         {"end", "A call and an end in one block: '{0}' beside '{1}', and the control does one of them.",
+          "Give each a block of its own."},
+         {"cycle",
+          "A macro call and a canned cycle in one block: '{0}' beside '{1}', and both take its words.",
+          "Give each a block of its own."},
+         {"passed",
+          "End of a program as an argument: after '{0}', '{1}' passes a value that {2} does not "
+          "read, and ends nothing.",
+          "Give it a block of its own."}},
     .bad = {{"fanuc", R"nc(
 O0423(PLATE)
 G65 P9423 X10. G65 P9423 X20.
@@ -92,7 +94,11 @@ class BlockCheck {
             return;
         }
         for (const Word& word : call.words)
-            if (queries::ends_program(analysis_.control(), word)) end(call, word);
+            if (queries::ends_program(analysis_.control(), word))
+                end(call, word);
+            else if (call.passes_arguments() && word.span.begin < call.code_word().span.begin &&
+                     queries::begins_cycle(analysis_.control(), word)) // one after it is MAC404's
+                report(word, "cycle", call.code_word(), "");
     }
 
   private:

@@ -34,6 +34,12 @@ extern const Rule chamfer_or_corner{
           "Write {1} in the move before."},
          {"no_move", "Chamfer or radius without a second move: no axis moves in the block after '{0}'.",
           "Let the next move follow at once."},
+         {"short",
+          "Chamfer or radius without room: '{0}' is larger than one of the two moves that it stands between.",
+          "Make it smaller, or the move longer."},
+         {"no_end",
+          "Angle without an end: '{0}' stands alone, and the next block has neither a position nor an angle.",
+          "Write the end point and the angle of the second line in the next block."},
          {"rapid", "Chamfer or radius before a rapid move: after '{0}' the control wants a straight cut.",
           "Write G1 in the next block, or remove '{0}'."}},
     .bad = {{"fanuc", R"nc(
@@ -60,6 +66,8 @@ M30
                {"FANUC 30i/0i-D", "039", "CHF/CNR NOT ALLOWED IN G41,G42", true, "compensation"},
                {"FANUC 16i/18i/21i", "051", "MISSING MOVE AFTER CHF/CNR", true, "no_move"},
                {"FANUC 30i/0i-D", "051", "MISSING MOVE AFTER CNR/CHF", true, "no_move"},
+               {"FANUC 16i/18i/21i", "055", "MISSING MOVE VALUE IN CHF/CNR", true, "short"},
+               {"FANUC 30i/0i-D", "055", "MISSING MOVE VALUE IN CHF/CNR", true, "short"},
                {"FANUC 16i/18i/21i", "052", "CODE IS NOT G01 AFTER CHF/CNR", true, "rapid"},
                {"FANUC 30i/0i-D", "052", "CODE IS NOT G01 AFTER CHF/CNR", true, "rapid"}},
     .sources = {"GH-ALM", "T: parameters 3405 and 3453 switch commas"},
@@ -72,7 +80,7 @@ void check(const ProgramAnalysis& analysis, Reporter& reporter) {
     queries::for_each_impossible_corner(analysis, [&](const queries::ImpossibleCorner& corner) {
         Finding& finding = reporter.report({analysis, corner.word.span}, corner.word.span, corner.why,
                                            {corner.words, corner.code});
-        if (!analysis.control().assumed) return;
+        if (!analysis.control().assumed && corner.why != "no_end") return;
         finding.severity = Severity::warning;
     });
 }

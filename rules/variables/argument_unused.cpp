@@ -19,7 +19,7 @@ void check(const ProgramAnalysis& analysis, Reporter& reporter);
 extern const Rule argument_unused{
     .code = "MAC211",
     .name = "argument-unused",
-    .aliases = "DIN513",
+    .aliases = "DIN513 MAC212",
     .summary = "A call passes a value that the called program never reads, or overwrites first",
     .why =
         "Whoever wrote the call counts on a depth, a radius or a clearance that changes nothing. Often the "

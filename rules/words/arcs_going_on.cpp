@@ -8,9 +8,9 @@
 #include "rules/words/word_list.hpp"
 
 #include <algorithm>
-#include <cctype>
 #include <cmath>
-#include <string>
+#include <string_view>
+#include <variant>
 
 namespace maclint {
 namespace {
@@ -31,28 +31,20 @@ ArcsGoingOn::ArcsGoingOn(const ProgramAnalysis& analysis, const RowIndex& index)
             if (!goes_on_in_blocks(*entry.row->row)) continue;
             motion_ = motion;
             want(*entry.row->row);
-            arcs_.add(circle);
+            lines_.add_arc(circle);
             kinds_.add(scanned_kind(analysis.program().plain_tables[0], *entry.row));
         }
     for (const ModalMember& member : group.members)
         if (is_whole(member.number) && std::ranges::find(group.circles, member.number) == group.circles.end())
-            others_.add(member.number);
-    letters_['G'] = letters_['g'] = Letter::code;
-    letters_['\n'] = letters_['\r'] = Letter::line_end;
-    letters_['('] = Letter::comment;
+            lines_.add_other(member.number);
 }
 
 /// The letters by which a line can break the row.
 void ArcsGoingOn::want(const WordRow& row) {
-    const auto mark = [&](std::string_view word, Letter letter) {
-        const auto capital = static_cast<unsigned char>(word.front());
-        letters_[capital] = letter;
-        letters_[static_cast<unsigned char>(std::tolower(capital))] = letter;
-    };
-    for (const std::string_view word : words_of(row.words)) mark(word, Letter::wanted);
+    for (const std::string_view word : words_of(row.words)) lines_.want(word.front());
     for (const std::string_view condition : words_of(row.when)) {
         const std::string_view address = condition_of(condition).address;
-        mark(address, Letter::axis);
+        lines_.move(address.front());
         addresses_.add(addresses_named(analysis_.program(), address));
     }
 }
@@ -60,54 +52,11 @@ void ArcsGoingOn::want(const WordRow& row) {
 void ArcsGoingOn::for_each_line(const PlainRun& run, const std::function<void(Span)>& visit) {
     if (!motion_) return;
     if (run.words.addresses.meets(addresses_) && (in_arc_ || run.words.codes.meets(kinds_)))
-        read_lines(run.span, visit);
+        lines_.read(analysis_.program().text, run.span, in_arc_, visit);
     const auto& circles = analysis_.control().groups[*motion_].circles;
     for (const ModalSetting& setting :
          std::span(analysis_.program().settings).subspan(run.net.first, run.net.count))
         if (setting.group == *motion_) in_arc_ = std::ranges::find(circles, setting.value) != circles.end();
-}
-
-void ArcsGoingOn::read_lines(Span part, const std::function<void(Span)>& visit) {
-    const std::string_view text = analysis_.program().text.substr(0, part.end);
-    line_end_ = text.find('\n', part.begin) == std::string_view::npos ? '\r' : '\n';
-    for (std::size_t at = part.begin; at < text.size();) {
-        if (in_arc_) {
-            const std::size_t begin = at;
-            if (!goes_on(text, at)) continue;
-            visit({static_cast<Offset>(begin), static_cast<Offset>(at)});
-        } else {
-            at = text.find('G', at);
-            if (at == std::string_view::npos) return;
-            in_arc_ = arcs_.may_begin(text.substr(++at));
-            if (in_arc_) at = end_of_line(text, at);
-        }
-    }
-}
-
-std::size_t ArcsGoingOn::end_of_line(std::string_view text, std::size_t at) const {
-    return std::min(text.find(line_end_, at), text.size());
-}
-
-/// Whether the line goes on with the arc, moves and lacks a word; it is read only up to where that is known.
-bool ArcsGoingOn::goes_on(std::string_view text, std::size_t& at) {
-    bool moves = false;
-    for (; at < text.size(); ++at) {
-        switch (letters_[static_cast<unsigned char>(text[at])]) {
-        case Letter::none: continue;
-        case Letter::axis: moves = true; continue;
-        case Letter::comment: at = std::min(text.find_first_of(")\n\r", at), text.size()) - 1; continue;
-        case Letter::wanted: at = end_of_line(text, at); return false;
-        case Letter::code: {
-            const std::string_view number = text.substr(at + 1);
-            in_arc_ = !others_.may_begin(number);
-            if (in_arc_ && !arcs_.may_begin(number)) continue;
-            at = in_arc_ ? end_of_line(text, at) : at + 1;
-            return false;
-        }
-        case Letter::line_end: ++at; return moves;
-        }
-    }
-    return moves;
 }
 
 /// Whether the block has a code of the group, or one that may take the axes for itself.

@@ -58,6 +58,7 @@ std::vector<std::string> calls_in(const std::string& text, const ControlModel& c
 ControlModel with_tool_call(const char* name) {
     ControlModel own = *find_control(name);
     own.own_codes = {{'T', 0, 9000}};
+    own.lathes.clear();
     return own;
 }
 

@@ -69,6 +69,11 @@ TEST(ArcsGoingOn, AreFoundWhateverEndsTheLines) {
     EXPECT_THAT(codes(lint_texts({{"example.nc", text}}, std::move(overrides))), ElementsAre("MAC523"));
 }
 
+TEST(ArcsGoingOn, AreFoundInSmallLetters) {
+    EXPECT_THAT(missed("g2 x10. y10. r10.\nx20.\ng1 x5.\nG3 x10. r10.\nx30.\n"),
+                ElementsAre("4 022", "7 022"));
+}
+
 TEST(ArcsGoingOn, AreOnlyToldOfControlsThatNeedTheWords) {
     EXPECT_THAT(missed("G2 X10. R10.\nX20.\n", "haas"), IsEmpty());
 }

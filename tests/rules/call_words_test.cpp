@@ -194,5 +194,14 @@ TEST(M99, StandsAloneInAProgramCalledAfterEveryMove) {
     EXPECT_THAT(judged("MAC425", "O1\nG66 P9001 Z-5.\nX10.\nG67\nX0 M99\n"), IsEmpty());
 }
 
+TEST(CannedCycleBesideACall, IsToldWhereItStandsBeforeTheCall) {
+    EXPECT_THAT(calls_found(with_block("G81 G65 P9001 X1."), "fanuc-30i"),
+                testing::Contains("warning MAC423 on line 3"));
+    EXPECT_THAT(judged("MAC423", with_block("G80 G65 P9001 X1.")), IsEmpty());
+    EXPECT_THAT(judged("MAC423", with_block("G90 G65 P9001 X1.")), IsEmpty());
+    EXPECT_THAT(judged("MAC423", with_block("G65 P9001 X1. G81")), IsEmpty())
+        << "an argument, which MAC404 tells";
+}
+
 } // namespace
 } // namespace maclint

@@ -30,7 +30,7 @@ cli::Result lint_example(const Rule& rule, const Example& example, const std::ve
     overrides.dialect = by_command ? nullptr : find_dialect(example.dialect);
     overrides.select = select;
     overrides.complete = example.complete;
-    return lint_texts({{"example.nc", std::string(example.text)}}, std::move(overrides));
+    return lint_texts({{std::string(example.file), std::string(example.text)}}, std::move(overrides));
 }
 
 std::string reported(const cli::Result& result) {

@@ -34,7 +34,7 @@ cli::Result lint(const NamedExemption& exemption, const ExemptionChoice& choice)
     overrides.dialect = find_dialect(example.dialect);
     overrides.select = {std::string(exemption.rule->code)};
     overrides.complete = example.complete;
-    return lint_texts({{"example.nc", std::string(example.text)}}, std::move(overrides), choice);
+    return lint_texts({{std::string(example.file), std::string(example.text)}}, std::move(overrides), choice);
 }
 
 std::string names(const std::vector<NamedExemption>& exemptions) {

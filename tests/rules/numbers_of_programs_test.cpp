@@ -36,6 +36,14 @@ const std::string plate = "O1001(PLATE)\nG0X1.\nM30\n";
 const std::string spare = "%\nO1001(SPARE)\nG0X2.\nM30\n%\n";
 const std::string other = "O1002\nG0X1.\nM30\n";
 
+TEST(FileAndNumber, AreTwoProgramsWhereTheyDiffer) {
+    EXPECT_THAT(judged_in("MAC471", {{"cnc/O1002.nc", plate}}, "fanuc-16i"),
+                ElementsAre("cnc/O1002.nc:1 note"));
+    for (const char* const name : {"O1001.nc", "O01001", "o1001.txt", "PLATE.nc", "O1002-NEW.nc", "1002.nc", "O1.nc"})
+        EXPECT_THAT(judged_in("MAC471", {{name, plate}}, "fanuc-16i"), IsEmpty()) << name;
+    EXPECT_THAT(judged_in("MAC471", {{"O1002.nc", plate + other}}, "fanuc-16i"), IsEmpty()) << "several";
+}
+
 TEST(ProgramNumberInTwoFiles, IsToldWhereFilesBearTheirNumbersAsNames) {
     EXPECT_THAT(judged_in("MAC453", {{"cnc/O1001.nc", plate}, {"cnc/SPARE.nc", spare}}, "fanuc-16i"),
                 ElementsAre("cnc/SPARE.nc:2 error"));

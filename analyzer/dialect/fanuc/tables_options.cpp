@@ -16,7 +16,7 @@ constexpr std::array rows = std::to_array<ControlOption>({
     {"automatic-tool-compensation",      "G36 G37",                         "measuring of a tool by a move to a sensor",               'T', "T"},
     {"balance-cut",                      "G68 G69",                         "two turrets that cut together",                           'T', "T"},
     {"canned-cycles-for-drilling",       "G80 G83 G84 G85 G87 G88 G89",     "drilling and tapping cycles",                             'T', "T"},
-    {"chopping",                         "G80.1 G81.1",                     "strokes of a grinding wheel",                             'M', "T"},
+    {"chopping",                         "G81.1",                           "strokes of a grinding wheel",                             'M', "T"},
     {"circular-thread-cutting",          "G35 G36",                         "threads along an arc",                                    'M', "F30D-155"},
     {"coordinate-system-rotation",       "G68 G69",                         "figures turned about a point",                            'M', "T"},
     {"custom-macro",                     "G65 G66 G66.1 G67",               "macro calls, variables and jumps",                        'B', "T"},
