@@ -24,8 +24,8 @@ Span span_of(const Item& item) {
 Slice items_in(const Program& program, Span part) {
     const auto first = std::ranges::partition_point(
         program.items, [&](const Item& item) { return span_of(item).end <= part.begin; });
-    const auto last = std::partition_point(
-        first, program.items.end(), [&](const Item& item) { return span_of(item).begin < part.end; });
+    const auto last = std::partition_point(first, program.items.end(),
+                                           [&](const Item& item) { return span_of(item).begin < part.end; });
     return {static_cast<Id>(first - program.items.begin()), static_cast<Id>(last - first)};
 }
 

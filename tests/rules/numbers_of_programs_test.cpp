@@ -39,7 +39,8 @@ const std::string other = "O1002\nG0X1.\nM30\n";
 TEST(FileAndNumber, AreTwoProgramsWhereTheyDiffer) {
     EXPECT_THAT(judged_in("MAC471", {{"cnc/O1002.nc", plate}}, "fanuc-16i"),
                 ElementsAre("cnc/O1002.nc:1 note"));
-    for (const char* const name : {"O1001.nc", "O01001", "o1001.txt", "PLATE.nc", "O1002-NEW.nc", "1002.nc", "O1.nc"})
+    for (const char* const name :
+         {"O1001.nc", "O01001", "o1001.txt", "PLATE.nc", "O1002-NEW.nc", "1002.nc", "O1.nc"})
         EXPECT_THAT(judged_in("MAC471", {{name, plate}}, "fanuc-16i"), IsEmpty()) << name;
     EXPECT_THAT(judged_in("MAC471", {{"O1002.nc", plate + other}}, "fanuc-16i"), IsEmpty()) << "several";
 }
