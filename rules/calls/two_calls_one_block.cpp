@@ -22,24 +22,24 @@ extern const Rule two_calls_one_block{
     .name = "two-calls-one-block",
     .summary = "A block calls two programs, or calls one and ends its own or begins a cycle",
     .why =
-        "A block has one P, and the control goes to one place when it ends: of two calls one is lost, or the "
-        "control stops. A code that ends the program is an argument where it stands after a macro call.",
+        "A block has one P, and the control goes to one place when it ends: of two calls one is lost, or it "
+        "stops. A code that ends the program is an argument where it stands after a macro call.",
     .severity = Severity::error,
     .precision = Precision::very_high,
     .needs = {Capability::macro_calls},
-    .messages =
-        {{"macro", "Two macro calls in one block: '{0}' and '{1}'.", "Give each call a block of its own."},
-         {"sub", "Two subprogram calls in one block: '{0}' and '{1}', with one P for both.",
-          "Give each call a block of its own."},
-         {"end", "A call and an end in one block: '{0}' beside '{1}', and the control does one of them.",
-          "Give each a block of its own."},
-         {"cycle",
-          "A macro call and a canned cycle in one block: '{0}' beside '{1}', and both take its words.",
-          "Give each a block of its own."},
-         {"passed",
-          "End of a program as an argument: after '{0}', '{1}' passes a value that {2} does not "
-          "read, and ends nothing.",
-          "Give it a block of its own."}},
+    .messages = {{"macro", "Two macro calls in one block: '{0}' and '{1}'.",
+                  "Give each call a block of its own."},
+                 {"sub", "Two subprogram calls in one block: '{0}' and '{1}', with one P for both.",
+                  "Give each call a block of its own."},
+                 {"end",
+                  "A call and an end in one block: '{0}' beside '{1}', and the control does one of them.",
+                  "Give each a block of its own."},
+                 {"cycle", "A macro call and a cycle in one block: '{0}' and '{1}' share words.",
+                  "Give each a block of its own."},
+                 {"passed",
+                  "End of a program as an argument: after '{0}', '{1}' passes a value that {2} does not "
+                  "read, and ends nothing.",
+                  "Give it a block of its own."}},
     .bad = {{"fanuc", R"nc(
 O0423(PLATE)
 G65 P9423 X10. G65 P9423 X20.
@@ -53,8 +53,7 @@ O0423(PLATE)
 M98 P1423 M98 P1423
 M30
 O1423(STEP)
-G91 X10.
-G90
+G90 X10.
 M99
 )nc"}},
     .good = {{"fanuc", R"nc(
@@ -94,10 +93,9 @@ class BlockCheck {
             return;
         }
         for (const Word& word : call.words)
-            if (queries::ends_program(analysis_.control(), word))
-                end(call, word);
-            else if (call.passes_arguments() && word.span.begin < call.code_word().span.begin &&
-                     queries::begins_cycle(analysis_.control(), word)) // one after it is MAC404's
+            if (queries::ends_program(analysis_.control(), word)) end(call, word);
+        for (const Word& word : call.before()) // one after it is MAC404's
+            if (call.passes_arguments() && queries::begins_cycle(analysis_.control(), word))
                 report(word, "cycle", call.code_word(), "");
     }
 
@@ -117,10 +115,9 @@ class BlockCheck {
 
     /// Only what an alarm of the control stands for is certain to stop it.
     void report(const Word& word, std::string_view message, const Word& other, const std::string& called) {
-        const Program& program = analysis_.program();
+        const auto text = [&](const Word& one) { return quoted(analysis_.program(), one.span); };
         Finding& finding =
-            reporter_.report({analysis_, word.span}, word.span, message,
-                             {quoted(program, other.span), quoted(program, word.span), called});
+            reporter_.report({analysis_, word.span}, word.span, message, {text(other), text(word), called});
         if (finding.alarm.empty()) finding.severity = std::min(finding.severity, Severity::warning);
     }
 
