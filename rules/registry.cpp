@@ -126,16 +126,19 @@
     RULE(offset_not_restored)                   /* MAC519 */ \
     RULE(offset_of_another_tool)                /* MAC520 */ \
     RULE(compensation_without_offset)           /* MAC521 */ \
+    RULE(impossible_arc)                        /* MAC522 */ \
     RULE(word_missing)                          /* MAC523 */ \
     RULE(incremental_after_reference)           /* MAC524 */ \
     RULE(code_forbidden_here)                   /* MAC527 */ \
     RULE(tool_change_unprepared)                /* MAC528 */ \
     RULE(chamfer_or_corner)                     /* MAC529 */ \
     RULE(tapping_order)                         /* MAC530 */ \
+    RULE(cycle_depth_above_level)               /* MAC532 */ \
     RULE(integer_word_decimal)                  /* MAC551 */ \
     RULE(missing_decimal_motion)                /* MAC552 */ \
     RULE(feed_missing)                          /* MAC553 */ \
     RULE(spindle_missing)                       /* MAC554 */ \
+    RULE(full_circle_by_radius)                 /* MAC558 */ \
     RULE(duplicate_address)                     /* MAC559 */ \
     RULE(canned_cycle_data_mode)                /* MAC564 */ \
     RULE(canned_k0_misuse)                      /* MAC565 */ \

@@ -2,10 +2,22 @@
 #include "analyzer/machine/habits.hpp"
 
 #include <set>
+#include <utility>
 
 namespace maclint::machine {
+namespace {
 
-void Habits::see(const Step& step, const ControlModel& control) {
+/// Its centre or radius and its ends do not make a circle.
+bool has_odd_numbers(const Arc& arc) {
+    return arc.fault == ArcFault::radii || arc.fault == ArcFault::chord ||
+           arc.fault == ArcFault::centre_at_start;
+}
+
+} // namespace
+
+void Habits::see(const Step& step, const Program& program) {
+    const ControlModel& control = *program.control;
+    see_arc(step, program);
     moves_ = moves_ || step.move != Move::none;
     if (step.changes_tool) {
         ++changes_;
@@ -29,6 +41,23 @@ void Habits::see(const Step& step, const ControlModel& control) {
     const auto speed = step.words.number('S');
     gives_speed_ = gives_speed_ || (step.words.has('S') && !(speed && speed->value == 0));
     names_tools_ = names_tools_ || step.words.has(control.machine_words->tool);
+}
+
+void Habits::see_arc(const Step& step, const Program& program) {
+    std::optional<Arc> arc = arc_of(step, program);
+    if (!arc) return;
+    ++arcs_;
+    if (has_odd_numbers(*arc)) ++odd_arcs_;
+    if (arc->fault != ArcFault::none) wrong_arcs_.insert({step.block.span.begin, std::move(*arc)});
+}
+
+const Arc* Habits::wrong_arc(Offset block) const {
+    const auto found = wrong_arcs_.find(block);
+    if (found == wrong_arcs_.end()) return nullptr;
+    // Where so many are wrong, the numbers mean something else.
+    constexpr std::size_t some = 4, part = 4;
+    if (has_odd_numbers(found->second) && odd_arcs_ >= some && odd_arcs_ * part > arcs_) return nullptr;
+    return &found->second;
 }
 
 int Habits::uses(double tool, double offset) const {

@@ -1,8 +1,10 @@
 //! What a program does again and again: against which one block is held.
 #pragma once
 
+#include "analyzer/machine/arc.hpp"
 #include "analyzer/machine/step.hpp"
 
+#include <cstddef>
 #include <map>
 #include <optional>
 #include <utility>
@@ -12,7 +14,7 @@ namespace maclint::machine {
 class Habits {
   public:
     /// Takes in one block of the program after another, in the order of the text.
-    void see(const Step& step, const ControlModel& control);
+    void see(const Step& step, const Program& program);
 
     /// Whether anything moves.
     [[nodiscard]] bool is_of_interest() const { return moves_; }
@@ -37,13 +39,20 @@ class Habits {
     [[nodiscard]] bool has_tool(double tool) const;
     /// Whether the tool has several offsets: then another one is meant.
     [[nodiscard]] bool has_several_offsets(double tool) const;
+    /// What is wrong with the circle of the block that begins there; nullptr: nothing, or the program
+    /// writes its circles so.
+    [[nodiscard]] const Arc* wrong_arc(Offset block) const;
 
   private:
+    void see_arc(const Step& step, const Program& program);
+
     bool moves_ = false, turns_spindle_ = false, gives_feed_ = false, gives_speed_ = false,
          names_tools_ = false;
     int changes_ = 0, changes_with_length_offset_ = 0, changes_with_start_ = 0;
     bool waits_for_offset_ = false, waits_for_start_ = false;
     std::map<std::pair<double, double>, int> pairs_; ///< tool and offset
+    std::map<Offset, Arc> wrong_arcs_;               ///< by their blocks
+    std::size_t arcs_ = 0, odd_arcs_ = 0;            ///< circles; those whose numbers do not fit
 };
 
 } // namespace maclint::machine

@@ -132,7 +132,7 @@ void States::survey() {
         (void)left_.state.add(state);
     }
     for_each_step([&](const Step& step) {
-        habits_.see(step, *program_->control);
+        habits_.see(step, *program_);
         if (step.move != Move::feed && step.move != Move::cycle) return;
         if (!left_.cuts_with_spindle && step.after.of(ModalRole::spindle).is_callers())
             left_.cuts_with_spindle = step.block.span;
