@@ -117,7 +117,9 @@
     RULE(restore_from_wrong_variable)           /* MAC505 */ \
     RULE(saved_value_lost)                      /* MAC506 */ \
     RULE(saved_state_never_restored)            /* MAC507 */ \
+    RULE(compensation_without_move)             /* MAC510 */ \
     RULE(compensation_started_on_arc)           /* MAC511 */ \
+    RULE(no_move_blocks_in_compensation)        /* MAC513 */ \
     RULE(modal_group_conflict)                  /* MAC514 */ \
     RULE(single_block_suppression_not_restored) /* MAC515 */ \
     RULE(data_not_closed)                       /* MAC516 */ \
@@ -138,6 +140,7 @@
     RULE(missing_decimal_motion)                /* MAC552 */ \
     RULE(feed_missing)                          /* MAC553 */ \
     RULE(spindle_missing)                       /* MAC554 */ \
+    RULE(rapid_through_work)                    /* MAC555 */ \
     RULE(full_circle_by_radius)                 /* MAC558 */ \
     RULE(duplicate_address)                     /* MAC559 */ \
     RULE(canned_cycle_data_mode)                /* MAC564 */ \
@@ -156,6 +159,7 @@
     RULE(word_not_listed)                       /* MAC581 */ \
     RULE(codes_not_together)                    /* MAC582 */ \
     RULE(too_many_words)                        /* MAC584 */ \
+    RULE(feed_under_rapid)                      /* MAC585 */ \
     RULE(alarm_number_out_of_range)             /* MAC601 */ \
     RULE(missing_argument_validation)           /* MAC604 */ \
     RULE(position_read_ahead)                   /* MAC605 */ \
