@@ -54,6 +54,13 @@ bool Words::has_one_of(std::span<const double> wanted) const {
     return std::ranges::any_of(g_codes(), [&](double code) { return contains(wanted, code); });
 }
 
+bool sets(const ControlModel& control, const BlockView& block, ModalRole role) {
+    const auto group = control.group_with(role);
+    return group && std::ranges::any_of(block.settings, [&](const BlockSetting& setting) {
+               return setting.group == *group;
+           });
+}
+
 Stepper::Stepper(const Program& program, const MachineWords& machine)
     : program_(&program)
     , control_(program.control)
@@ -87,7 +94,7 @@ void Stepper::apply(State& state, const BlockView& block, const Words& words) {
     choose_offsets(state, block, words);
     if (words.has_one_of(machine_->resetting)) state.forget_position();
     if (moves_) move(state, words, block.span.begin);
-    watch_tapping(state, words, block.span.begin);
+    watch_tapping(state, block, words);
 }
 
 void Stepper::apply_effects(State& state, const BlockView& block) {
@@ -180,14 +187,15 @@ void Stepper::change_tool(State& state, const BlockView& block, const Words& wor
 }
 
 /// No move, no speed and no plane may stand between the function and its cycle.
-void Stepper::watch_tapping(State& state, const Words& words, Offset here) const {
+void Stepper::watch_tapping(State& state, const BlockView& block, const Words& words) const {
+    const Offset here = block.span.begin;
     if (!state.rigid_tapping.is(1) || state.rigid_tapping.block == here) return;
     if (words.has_one_of(machine_->tapping_cycles)) {
         state.rigid_tapping = Known::of(0, here);
         return;
     }
     const bool moves = move_ != Move::none && move_ != Move::elsewhere;
-    if (moves || words.has('S') || words.has_g(17) || words.has_g(18) || words.has_g(19))
+    if (moves || words.has('S') || sets(*control_, block, ModalRole::plane))
         state.rigid_tapping = Known::of(2, here);
 }
 

@@ -78,6 +78,9 @@ struct Step {
     bool calls;        ///< it calls a program
 };
 
+/// Whether a word of the block sets the group of that role.
+[[nodiscard]] bool sets(const ControlModel& control, const BlockView& block, ModalRole role);
+
 /// Runs blocks over a state.
 class Stepper {
   public:
@@ -100,7 +103,7 @@ class Stepper {
     void apply_functions(State& state, const Words& words, Offset here) const;
     void apply_settings(State& state, const BlockView& block) const;
     void change_tool(State& state, const BlockView& block, const Words& words) const;
-    void watch_tapping(State& state, const Words& words, Offset here) const;
+    void watch_tapping(State& state, const BlockView& block, const Words& words) const;
     void choose_offsets(State& state, const BlockView& block, const Words& words) const;
     void move(State& state, const Words& words, Offset here);
     void move_in_cycle(State& state, const Words& words) const;

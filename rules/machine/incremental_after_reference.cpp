@@ -79,7 +79,8 @@ void check(const MachineStep& at, Reporter& reporter) {
     using machine::Move;
     const bool goes_somewhere =
         at.step.move == Move::rapid || at.step.move == Move::feed || at.step.move == Move::cycle;
-    if (!goes_somewhere || !at.after().distance_for_return.is(1) || at.step.words.has_g(91)) return;
+    if (!goes_somewhere || !at.after().distance_for_return.is(1)) return;
+    if (machine::sets(at.analysis.control(), at.step.block, ModalRole::distance)) return;
     const machine::Known& distance = at.after().of(ModalRole::distance);
     if (!distance.is_known() || distance.is(at.letters().absolute)) return;
     // After a tool change nobody goes on by increments; without one the table may be brought to the operator.

@@ -1,0 +1,83 @@
+//! What the examples of the rules on the machine's state cannot show: evidence, and who calls whom.
+#include "tests/rules/raised.hpp"
+#include "tests/support/linted.hpp"
+
+#include <string>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace maclint {
+namespace {
+
+using test::lines_raised;
+using ::testing::ElementsAre;
+using ::testing::IsEmpty;
+
+const std::string begins = "O1\nG90 G17 G54 G40\nT1 M6\n"; // three lines
+
+TEST(SpindleMissing, SpeaksOfTheBlockInWhichTheToolGoesDown) {
+    const std::string before = begins + "S500\nG0 X0 Y0\nG43 H1 Z5.\n";
+    EXPECT_THAT(lines_raised("MAC554", before + "G1 Z-5. F200.\nX50.\nY50.\nM30\n"), ElementsAre(7));
+    EXPECT_THAT(lines_raised("MAC554", before + "G1 Z-5. F200.\nG0 Z5.\nM30\n"), IsEmpty());
+    EXPECT_THAT(lines_raised("MAC554", before + "G1 Z-5. F200.\nM0\nX50.\nM30\n"), IsEmpty());
+    EXPECT_THAT(lines_raised("MAC554", before + "M77\nG1 Z-5. F200.\nX50.\nM30\n"), IsEmpty());
+}
+
+TEST(SpindleMissing, FollowsTheCalls) {
+    const std::string holes = "O2\nG81 X5. Y5. Z-3. R2. F100.\nG80\nM99\n";
+    EXPECT_THAT(lines_raised("MAC554", begins + "S500\nG43 H1 Z5.\nM98 P2\nM30\n" + holes), ElementsAre(6));
+    EXPECT_THAT(lines_raised("MAC554", begins + "S500 M3\nG43 H1 Z5.\nM98 P2\nM30\n" + holes), IsEmpty());
+    EXPECT_THAT(lines_raised("MAC554", begins + "S500\nG43 H1 Z5.\nM98 P3\nM98 P2\nM30\n" + holes), IsEmpty())
+        << "nobody has O3";
+}
+
+TEST(FeedMissing, FollowsTheCalls) {
+    const std::string slot = "O2\nG91 G1 X5.\nG90\nM99\n";
+    EXPECT_THAT(lines_raised("MAC553", begins + "S500 M3\nG43 H1 Z5.\nM98 P2\nM30\n" + slot), ElementsAre(6));
+    EXPECT_THAT(lines_raised("MAC553", begins + "S500 M3 F200.\nG43 H1 Z5.\nM98 P2\nM30\n" + slot), IsEmpty());
+}
+
+TEST(FeedMissing, TakesTheLastWordOfABlock) {
+    EXPECT_THAT(lines_raised("MAC553", begins + "S500 M3\nG1 Z-5. F0 F200.\nM30\n"), IsEmpty());
+}
+
+TEST(OffsetOfAnotherTool, LeavesToolsWithSeveralOffsetsAlone) {
+    const std::string others = "T2 M6\nG43 H2 Z50.\nT3 M6\nG43 H3 Z50.\n";
+    EXPECT_THAT(lines_raised("MAC520", begins + "G43 H2 Z50.\n" + others + "M30\n"), ElementsAre(4));
+    EXPECT_THAT(lines_raised("MAC520", begins + "G43 H1 Z50.\nG43 H21 Z5.\n" + others + "M30\n"), IsEmpty());
+    EXPECT_THAT(lines_raised("MAC520", begins + "G43 H2 Z50.\nM30\n"), IsEmpty()) << "nothing to hold it against";
+}
+
+TEST(LengthOffsetMissing, KnowsThatAPathLeavesItOut) {
+    const std::string other = "T2 M6\nG43 H2 Z50.\n";
+    EXPECT_THAT(lines_raised("MAC568", begins + "G0 Z50.\n" + other + "M30\n"), ElementsAre(4));
+    EXPECT_THAT(lines_raised("MAC568", begins + "G91 G28 Z0\nG90\n" + other + "M30\n"), IsEmpty());
+    EXPECT_THAT(lines_raised("MAC568", begins + "G53 Z0\n" + other + "M30\n"), IsEmpty());
+}
+
+TEST(IncrementalAfterReference, LetsTheTableComeForward) {
+    const std::string home = begins + "S500 M3\nG43 H1 Z5.\nG91 G28 Z0\n";
+    EXPECT_THAT(lines_raised("MAC524", home + "T2 M6\nG0 X25. Y25.\nM30\n"), ElementsAre(8));
+    EXPECT_THAT(lines_raised("MAC524", home + "G0 Y200.\nM30\n"), IsEmpty());
+    EXPECT_THAT(lines_raised("MAC524", home + "T2 M6\nG91 G0 X25. Y25.\nM30\n"), IsEmpty());
+    EXPECT_THAT(lines_raised("MAC524", home + "T2 M6\nG90 G0 X25. Y25.\nM30\n"), IsEmpty());
+}
+
+TEST(ReturnThroughZero, IsOneThatGoesDown) {
+    const std::string above = begins + "S500 M3\nG43 H1 Z50.\nG1 Z-5. F200.\nG0 Z50.\n";
+    EXPECT_THAT(lines_raised("MAC567", above + "G28 Z0\nM30\n"), ElementsAre(8));
+    EXPECT_THAT(lines_raised("MAC567", above + "G28 Z100.\nM30\n"), IsEmpty());
+    EXPECT_THAT(lines_raised("MAC567", above + "G91 G28 Z0\nM30\n"), IsEmpty());
+    EXPECT_THAT(lines_raised("MAC567", above + "G28 X0 Y0\nM30\n"), IsEmpty());
+}
+
+TEST(TappingOrder, IsTheCyclesAndNotTheChipConveyors) {
+    const std::string before = begins + "G43 H1 Z50.\nM29 S500\n";
+    EXPECT_THAT(lines_raised("MAC530", before + "X10.\nG84 X10. Z-10. R5. F500.\nG80\nM30\n"), ElementsAre(7));
+    EXPECT_THAT(lines_raised("MAC530", before + "G84 X10. Z-10. R5. F500.\nG80\nM29\nX10.\nM30\n"), IsEmpty());
+    EXPECT_THAT(lines_raised("MAC530", before + "X10.\nT2 M6\nG84 X10. Z-10. R5. F500.\nG80\nM30\n"), IsEmpty());
+}
+
+} // namespace
+} // namespace maclint
