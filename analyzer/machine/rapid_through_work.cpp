@@ -20,6 +20,8 @@ class Judge {
         , on_line_(on_line / unit)
         , beside_cut_(beside_cut / unit) {}
 
+    [[nodiscard]] bool is_at_depth(std::size_t index) const;
+    /// Of one at a depth.
     [[nodiscard]] std::optional<RapidThroughWork> judge(std::size_t index) const;
 
   private:
@@ -138,11 +140,15 @@ bool Judge::lies_within_cuts(const Way& rapid) const {
     return true;
 }
 
+/// Whether it moves sideways at a depth to which the tool has come down.
+bool Judge::is_at_depth(std::size_t index) const {
+    const Way& rapid = ways_[index];
+    return !rapid.cuts && rapid.from != rapid.to && rapid.z_to <= rapid.z_from && rapid.higher() < 0 &&
+           came_down(index);
+}
+
 std::optional<RapidThroughWork> Judge::judge(std::size_t index) const {
     const Way& rapid = ways_[index];
-    if (rapid.cuts || rapid.from == rapid.to || rapid.z_to > rapid.z_from || rapid.higher() >= 0 ||
-        !came_down(index))
-        return std::nullopt;
     using Evidence = RapidThroughWork::Evidence;
     if (const Way* cut = cut_across(rapid, index))
         return RapidThroughWork{rapid.block, rapid.higher(), cut->block, Evidence::cut_later};
@@ -161,8 +167,14 @@ std::optional<RapidThroughWork> Judge::judge(std::size_t index) const {
 std::vector<RapidThroughWork> rapid_moves_through_work(const Program& program, const States& states) {
     const Ways ways = ways_of(program, states);
     const Judge judge(ways.ways, ways.in_inches ? millimetres_of_inch : 1);
+    // A program with more of them has another way with depths.
+    constexpr std::size_t most = 100;
+    std::vector<std::size_t> at_depth;
+    for (std::size_t i = 0; i < ways.ways.size() && at_depth.size() <= most; ++i)
+        if (judge.is_at_depth(i)) at_depth.push_back(i);
     std::vector<RapidThroughWork> found;
-    for (std::size_t i = 0; i < ways.ways.size(); ++i)
+    if (at_depth.size() > most) return found;
+    for (const std::size_t i : at_depth)
         if (auto rapid = judge.judge(i)) found.push_back(*rapid);
     return found;
 }

@@ -44,6 +44,17 @@ TEST(RapidThroughWork, GoesOnWhereALessDeepCutWas) {
     EXPECT_THAT(rapid(first + "T2 M6\nG0 X-20. Y-20.\nG43 H2 Z5.\nZ-8.\nX40.\nG0 Z50.\n"), IsEmpty());
 }
 
+TEST(RapidThroughWork, IsNotClaimedWhereAProgramMovesRapidlyAtDepthsAllTheTime) {
+    const auto many = [](int moves) {
+        std::string blocks;
+        for (int i = 0; i < moves; ++i) blocks += "G0 Z2.\nX-90. Y" + std::to_string(i) + ".\nZ-1.\nX-80.\n";
+        blocks += "G0 Z5.\nX-20. Y-20.\nG1 Z-6. F300.\nG0 X0\nY70.\nG1 X90. F500.\nY0\nX-20.\nG0 Z50.\n";
+        return rapid(blocks).size();
+    };
+    EXPECT_EQ(many(90), 1U);
+    EXPECT_EQ(many(100), 0U);
+}
+
 TEST(RapidThroughWork, KnowsArcsByTheirWay) {
     EXPECT_THAT(rapid("G1 Z-6. F300.\nG2 X20. Y-20. R20.\nG0 X-20.\nG1 Y20.\nX0\nY-40.\nG0 Z50.\n"),
                 ElementsAre(6));
