@@ -131,11 +131,15 @@
     RULE(impossible_arc)                        /* MAC522 */ \
     RULE(word_missing)                          /* MAC523 */ \
     RULE(incremental_after_reference)           /* MAC524 */ \
+    RULE(thread_under_surface_speed)            /* MAC525 */ \
+    RULE(feed_of_the_other_mode)                /* MAC526 */ \
     RULE(code_forbidden_here)                   /* MAC527 */ \
     RULE(tool_change_unprepared)                /* MAC528 */ \
     RULE(chamfer_or_corner)                     /* MAC529 */ \
     RULE(tapping_order)                         /* MAC530 */ \
     RULE(cycle_depth_above_level)               /* MAC532 */ \
+    RULE(profile_cannot_be_turned)              /* MAC533 */ \
+    RULE(turret_turned_at_work)                 /* MAC534 */ \
     RULE(integer_word_decimal)                  /* MAC551 */ \
     RULE(missing_decimal_motion)                /* MAC552 */ \
     RULE(feed_missing)                          /* MAC553 */ \
@@ -149,6 +153,7 @@
     RULE(return_through_zero)                   /* MAC567 */ \
     RULE(length_offset_missing)                 /* MAC568 */ \
     RULE(canned_cycle_over_tool_change)         /* MAC569 */ \
+    RULE(surface_speed_without_clamp)           /* MAC570 */ \
     RULE(modal_code_as_number)                  /* MAC574 */ \
     RULE(words_exclude_each_other)              /* MAC575 */ \
     RULE(value_not_allowed)                     /* MAC576 */ \

@@ -1,6 +1,10 @@
 //! Counts over the steps of a program.
 #include "analyzer/machine/habits.hpp"
 
+#include "analyzer/program/tables.hpp"
+
+#include <algorithm>
+#include <cmath>
 #include <set>
 #include <utility>
 
@@ -41,6 +45,7 @@ void Habits::see(const Step& step, const Program& program) {
     const auto speed = step.words.number('S');
     gives_speed_ = gives_speed_ || (step.words.has('S') && !(speed && speed->value == 0));
     names_tools_ = names_tools_ || step.words.has(control.machine_words->tool);
+    if (control.machine_words->tool_word_holds_offset) see_lathe(step, control);
 }
 
 void Habits::see_arc(const Step& step, const Program& program) {
@@ -58,6 +63,38 @@ const Arc* Habits::wrong_arc(Offset block) const {
     constexpr std::size_t some = 4, part = 4;
     if (has_odd_numbers(found->second) && odd_arcs_ >= some && odd_arcs_ * part > arcs_) return nullptr;
     return &found->second;
+}
+
+void Habits::see_lathe(const Step& step, const ControlModel& control) {
+    constexpr std::size_t x = 0, z = 2;
+    constexpr double far = 20, inch = 25.4; // mm
+    const bool is_inch = step.before.of(ModalRole::units).is(control.machine_words->inch);
+    if (step.changes_tool && step.before.cut.is(1)) {
+        const double height = step.before.position[z] * (is_inch ? inch : 1);
+        if (std::isnan(height) || height >= far) ++retreats_;
+    }
+    if (step.move != Move::feed && step.move != Move::cycle) return;
+    for (const double place : {step.before.position[x], step.after.position[x]})
+        if (!std::isnan(place)) widest_cut_ = std::max(place, widest_cut_.value_or(place));
+    const Known& tool = step.after.tool;
+    const Known& offset = step.after.length_offset;
+    if (!tool.is_known() || !offset.is_known()) return;
+    ++(offset.value > 0 ? cuts_[tool.value].with_offset : cuts_[tool.value].without);
+}
+
+bool Habits::cuts_with_offset(double tool) const {
+    const auto found = cuts_.find(tool);
+    return found != cuts_.end() && found->second.with_offset > 0;
+}
+
+int Habits::others_with_offset(double tool) const {
+    return static_cast<int>(std::ranges::count_if(
+        cuts_, [&](const auto& one) { return one.first != tool && one.second.with_offset > 0; }));
+}
+
+bool Habits::have_all_others_offset(double tool) const {
+    return std::ranges::none_of(cuts_,
+                                [&](const auto& one) { return one.first != tool && one.second.without > 0; });
 }
 
 int Habits::uses(double tool, double offset) const {

@@ -43,8 +43,18 @@ class Habits {
     /// writes its circles so.
     [[nodiscard]] const Arc* wrong_arc(Offset block) const;
 
+    /// Of a lathe: how often the tool is taken far from its work before the turret turns, or may.
+    [[nodiscard]] int retreats() const { return retreats_; }
+    /// The largest X at which it cuts; nothing where nobody can say.
+    [[nodiscard]] std::optional<double> widest_cut() const { return widest_cut_; }
+    /// Whether the tool cuts with an offset somewhere; how many others do, and whether all others do.
+    [[nodiscard]] bool cuts_with_offset(double tool) const;
+    [[nodiscard]] int others_with_offset(double tool) const;
+    [[nodiscard]] bool have_all_others_offset(double tool) const;
+
   private:
     void see_arc(const Step& step, const Program& program);
+    void see_lathe(const Step& step, const ControlModel& control);
 
     bool moves_ = false, turns_spindle_ = false, gives_feed_ = false, gives_speed_ = false,
          names_tools_ = false;
@@ -53,6 +63,13 @@ class Habits {
     std::map<std::pair<double, double>, int> pairs_; ///< tool and offset
     std::map<Offset, Arc> wrong_arcs_;               ///< by their blocks
     std::size_t arcs_ = 0, odd_arcs_ = 0;            ///< circles; those whose numbers do not fit
+    /// How often a tool cuts.
+    struct Cuts {
+        int with_offset = 0, without = 0;
+    };
+    std::map<double, Cuts> cuts_;
+    int retreats_ = 0;
+    std::optional<double> widest_cut_;
 };
 
 } // namespace maclint::machine

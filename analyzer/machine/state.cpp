@@ -18,7 +18,8 @@ void State::for_each_two(State& a, const State& b, const Visit& visit) {
                                    &State::plunged,
                                    &State::cut,
                                    &State::distance_for_return,
-                                   &State::rigid_tapping};
+                                   &State::rigid_tapping,
+                                   &State::profile_end};
     for (const auto field : fields) visit(a.*field, b.*field);
     for (std::size_t role = 0; role < roles; ++role) visit(a.modes_[role], b.modes_[role]);
 }
@@ -27,12 +28,13 @@ void State::forget_modes() { modes_.fill(Known::nothing()); }
 
 void State::forget_position() {
     position.fill(nowhere);
+    cycle_start.fill(nowhere);
     is_moved.fill(true);
 }
 
 void State::forget() {
     tool = prepared = changed = length_offset = cutter_offset = speed_clamp = cycle_level = moved_in_z =
-        plunged = cut = distance_for_return = rigid_tapping = Known::nothing();
+        plunged = cut = distance_for_return = rigid_tapping = profile_end = Known::nothing();
     forget_modes();
     forget_position();
 }
@@ -55,17 +57,21 @@ bool State::add(const State& other) {
             position[axis] = nowhere;
             has_changed = true;
         }
+        if (!std::isnan(cycle_start[axis]) && cycle_start[axis] != other.cycle_start[axis]) {
+            cycle_start[axis] = nowhere;
+            has_changed = true;
+        }
         if (other.is_moved[axis] && !is_moved[axis]) is_moved[axis] = has_changed = true;
     }
     return has_changed;
 }
 
-void State::go_on_with(const State& end_of_called) {
-    for_each_two(*this, end_of_called, [](Known& mine, const Known& its) {
-        if (its.kind == Known::Kind::unknown)
-            mine = its;
-        else if (its.is_known())
-            mine.value = its.value, mine.kind = its.kind; // the block is another program's
+void State::go_on_with(const State& end_of_called, Offset block) {
+    for_each_two(*this, end_of_called, [block](Known& mine, const Known& its) {
+        if (its.is_callers()) return;
+        mine = its;
+        mine.block = block;
+        mine.by_call = true;
     });
     for (std::size_t axis = 0; axis < position.size(); ++axis) {
         if (!end_of_called.is_moved[axis]) continue;

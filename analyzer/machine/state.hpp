@@ -21,6 +21,7 @@ struct Known {
     double value = 0;
     Offset block = 0; ///< where the block begins that set it
     Kind kind = Kind::callers;
+    bool by_call = false; ///< a program has set it that the block calls
 
     [[nodiscard]] static constexpr Known of(double value, Offset block) {
         return {value, block, Kind::known};
@@ -57,8 +58,10 @@ class State {
     Known distance_for_return;
     /// 1: rigid tapping is switched on; 2: and a block followed that may not stand before its cycle.
     Known rigid_tapping;
+    Known profile_end; ///< number of the block that ends the profile of a roughing cycle; 0: none runs
     Position position = {nowhere, nowhere, nowhere};
-    std::array<bool, 3> is_moved = {}; ///< axes whose position this program has touched
+    Position cycle_start = {nowhere, nowhere, nowhere}; ///< where such a cycle began, and will end
+    std::array<bool, 3> is_moved = {};                  ///< axes whose position this program has touched
 
     /// A modal group: the code, feed or speed in force. A group that the control lacks is the caller's.
     [[nodiscard]] const Known& of(ModalRole role) const { return modes_[static_cast<std::size_t>(role)]; }
@@ -70,8 +73,8 @@ class State {
     void forget_position();
     /// Takes in what another path says: what differs is unknown. Whether that changes anything.
     bool add(const State& other);
-    /// After a call: what the called program has not touched is as before.
-    void go_on_with(const State& end_of_called);
+    /// After a call of the block: what the called program has not touched is as before.
+    void go_on_with(const State& end_of_called, Offset block);
 
   private:
     static constexpr std::size_t roles = static_cast<std::size_t>(ModalRole::feed_hold) + 1;

@@ -116,7 +116,7 @@ void States::run_calls(const flow::Node& node, State& state) const {
             if (left == nullptr || !left->state.is_reached)
                 state.forget();
             else
-                state.go_on_with(left->state);
+                state.go_on_with(left->state, node.part.begin);
         } else if (may_call) {
             state.forget();
         }

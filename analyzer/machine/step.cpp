@@ -88,13 +88,34 @@ void Stepper::apply(State& state, const BlockView& block, const Words& words) {
     }
     apply_functions(state, words, block.span.begin);
     apply_settings(state, block);
-    if (const auto speed = words.number('S'); speed && words.has_one_of(machine_->clamping))
-        state.speed_clamp = Known::of(speed->value, block.span.begin);
+    if (words.has('S') && words.has_one_of(machine_->clamping)) {
+        const auto speed = words.number('S');
+        state.speed_clamp = speed ? Known::of(speed->value, block.span.begin) : Known::nothing();
+    }
     change_tool(state, block, words);
     choose_offsets(state, block, words);
     if (words.has_one_of(machine_->resetting)) state.forget_position();
     if (moves_) move(state, words, block.span.begin);
     watch_tapping(state, block, words);
+    run_profile(state, block, words);
+}
+
+/// The blocks of a profile stand behind the cycle that reads them. The control goes on behind the last, with
+/// the tool where it was before.
+void Stepper::run_profile(State& state, const BlockView& block, const Words& words) const {
+    const auto last = words.number('Q');
+    if (words.has_one_of(machine_->returning) && words.has('P') && last) {
+        state.cut = Known::of(1, block.span.begin);
+        if (words.has_one_of(machine_->roughing)) {
+            state.profile_end = Known::of(last->value, block.span.begin);
+            state.cycle_start = before_.position;
+        }
+        return;
+    }
+    if (!block.number || *block.number == 0 || !state.profile_end.is(static_cast<double>(*block.number)))
+        return;
+    state.position = state.cycle_start;
+    state.profile_end = Known::of(0, block.span.begin);
 }
 
 void Stepper::apply_effects(State& state, const BlockView& block) {
@@ -141,7 +162,8 @@ void Stepper::apply_settings(State& state, const BlockView& block) const {
             state.distance_for_return = Known::of(to_reference_ ? 1 : 0, block.span.begin);
         if (role == ModalRole::spindle && changes) state.plunged = Known::of(0, block.span.begin);
         // Where a value is given again, the block that gave it first is named.
-        if (changes) mode = setting.value ? Known::of(*setting.value, block.span.begin) : Known::nothing();
+        if (changes || mode.by_call)
+            mode = setting.value ? Known::of(*setting.value, block.span.begin) : Known::nothing();
         for (const EndedGroup& ended : control_->ended_groups)
             if (ended.by == setting.group)
                 state.of(control_->groups[ended.group].role) = Known::of(ended.code, block.span.begin);
@@ -156,11 +178,16 @@ void Stepper::change_tool(State& state, const BlockView& block, const Words& wor
             state.prepared = tool ? Known::of(tool->value, here) : Known::nothing();
         return;
     }
+    constexpr double offsets = 100;
+    if (machine_->tool_word_holds_offset && tool && state.tool.is(std::floor(tool->value / offsets)) &&
+        std::fmod(tool->value, offsets) == 0) {
+        state.length_offset = Known::of(0, here); // T0100 behind T0101: nothing turns
+        return;
+    }
     state.changed = Known::of(0, here);
     state.moved_in_z = state.plunged = state.cut = Known::of(0, here);
     state.forget_position();
     if (machine_->tool_word_holds_offset) {
-        constexpr double offsets = 100;
         if (!tool || tool->value < offsets) {
             state.tool = state.length_offset = Known::nothing();
             return;

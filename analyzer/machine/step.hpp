@@ -106,6 +106,7 @@ class Stepper {
     void watch_tapping(State& state, const BlockView& block, const Words& words) const;
     void choose_offsets(State& state, const BlockView& block, const Words& words) const;
     void move(State& state, const Words& words, Offset here);
+    void run_profile(State& state, const BlockView& block, const Words& words) const;
     void move_in_cycle(State& state, const Words& words) const;
     [[nodiscard]] Move kind_of_move(const State& state, const Words& words) const;
     [[nodiscard]] std::optional<double> target(const State& state, const Words& words,

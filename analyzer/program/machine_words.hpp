@@ -35,6 +35,13 @@ struct MachineWords {
     /// G codes: of cycles that end where they began, of positions that count from elsewhere behind them, of
     /// moves in the machine's own coordinates, and those whose S is the highest speed.
     std::span<const double> returning = {}, resetting = {}, of_machine = {}, clamping = {};
+    double surface_speed = 96;     ///< code of the speed mode
+    double feed_per_minute = 94;   ///< code of the feed mode
+    double inch = 20, metric = 21; ///< codes of the units
+    /// G codes of cycles that read a profile behind them, and end where they began.
+    std::span<const double> roughing = {};
+    /// G codes of holes along Z, and those among them that are holes only where the block has no X.
+    std::span<const double> holes = {}, holes_without_x = {};
     /// Machine functions that leave the spindle as it is. Any other may do anything with it.
     std::span<const double> aside = {};
     /// So far the two ends of a circle may lie from one circle around its centre, in mm.

@@ -121,7 +121,10 @@ void at_change(const MachineStep& at, Reporter& reporter) {
 }
 
 void check(const MachineStep& at, Reporter& reporter) {
-    if (at.step.changes_tool && !at.letters().tool_word_holds_offset) return at_change(at, reporter);
+    // T0100 behind T0101 takes an offset back, and turns nothing.
+    const bool keeps_tool = at.letters().tool_word_holds_offset &&
+                            (!at.before().tool.is_known() || at.after().tool.is(at.before().tool.value));
+    if (at.step.changes_tool && !keeps_tool) return at_change(at, reporter);
     const char letter = at.letters().cutter_offset;
     const machine::Known& on = at.after().of(ModalRole::cutter_compensation);
     if (letter == 0 || !at.is_on(at.after(), ModalRole::cutter_compensation) || on.block != at.block().begin)

@@ -1,5 +1,5 @@
 //! MAC568: a tool that goes to its work without its length offset.
-#include "rules/machine_check.hpp"
+#include "rules/machine/offset_taken_back.hpp"
 #include "rules/path.hpp"
 
 namespace maclint::rules {
@@ -21,7 +21,10 @@ extern const Rule length_offset_missing{
         {{"none",
           "No tool length offset: '{0}' moves in Z with the tool of {1}, for which no offset has been "
           "chosen.",
-          "Choose it with G43 H before, or in this block."}},
+          "Choose it with G43 H before, or in this block."},
+         {"taken_back",
+          "No tool offset: '{0}' cuts with tool {1}, of which line {2} has taken the offset back.",
+          "Write the tool with its offset before it cuts."}},
     .bad = {{"fanuc", R"nc(
 O9568(PLATE)
 G90 G17 G54
@@ -37,6 +40,19 @@ G0 X25. Y25.
 Z50.
 G1 Z-12. F100.
 G0 Z50.
+M30
+)nc"},
+            {"fanuc", R"nc(
+O9568(SHAFT)
+G28 U0 W0
+G21 G40 G97 G99
+T0101
+G97 S1200 M3
+G0 X52. Z2. M8
+G1 Z-30. F0.2
+G0 X150. Z120. T0100
+G0 X48. Z2. (T0202 IS LOST)
+G1 Z-30. F0.1
 M30
 )nc"}},
     .good = {{"fanuc", R"nc(
@@ -66,6 +82,21 @@ Z50.
 G1 Z-5. F200.
 G0 Z50.
 M30
+)nc"},
+             {"fanuc", R"nc(
+O9568(TURNED FIRST, OFFSET WITH THE APPROACH, TAKEN BACK IN THE RETREAT)
+G28 U0 W0
+G21 G40 G97 G99
+T0100
+G97 S1200 M3
+G0 X52. Z2. T0101 M8
+G1 Z-30. F0.2
+G0 X150. Z120. T0100
+T0300
+G0 X54. Z-22. T0303 M8
+G1 X40. F0.08
+G0 X150. Z120. T0300
+M30
 )nc"}},
     .sources = {"T"},
     .check = MachineCheck{&check},
@@ -75,6 +106,7 @@ namespace {
 
 void check(const MachineStep& at, Reporter& reporter) {
     using machine::Move;
+    if (at.letters().tool_word_holds_offset) return look_for_offset_taken_back(at, reporter);
     constexpr std::size_t z = 2;
     if (!at.step.axes[z] || at.step.changes_tool || at.letters().length_offset == 0) return;
     if (at.step.move == Move::elsewhere || at.step.move == Move::unknown || at.step.move == Move::none)

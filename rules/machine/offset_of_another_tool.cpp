@@ -78,6 +78,8 @@ void check(const MachineStep& at, Reporter& reporter) {
     if (!usual || offset.value - tool.value == *usual) return;
     // A number that no rule of the program gives to any tool is one of its own.
     const double owner = offset.value - *usual;
+    const bool is_own_number = offset.value == tool.value;
+    if (at.habits.tools() < 3 && is_own_number) return; // the other tool has the wrong one
     if (at.habits.tools() < 3 && !at.habits.has_tool(owner)) return;
     const double meant = tool.value + *usual;
     const char letter = at.letters().length_offset == 0 ? at.letters().tool : at.letters().length_offset;

@@ -10,6 +10,7 @@
 #include "analyzer/queries/modal_parts.hpp"
 #include "analyzer/workspace/program_analysis.hpp"
 #include "rules/modal/modal_leak.hpp"
+#include "rules/modal/modes_left_by_calls.hpp"
 #include "rules/path.hpp"
 #include "rules/rule.hpp"
 
@@ -35,7 +36,9 @@ extern const Rule modal_state_not_restored{
                              dataflow::Store, dataflow::Clobber>(),
     .data_flow = true,
     .messages = {{"every-path", "{0} {1} is left to the caller.", "{2}."},
-                 {"some-paths", "{0} {1} is left to the caller on some of the paths.", "{2}."}},
+                 {"some-paths", "{0} {1} is left to the caller on some of the paths.", "{2}."},
+                 {"by-call", "{0} {1} is left by '{2}': line {3} cuts in it, written for {4}.",
+                  "Write {4} behind the call, or before the return of the called program."}},
     .bad = {{"fanuc", R"nc(
 O9501(ONE STEP UP)
 G91 G0 Z10.
@@ -49,6 +52,19 @@ IF[#26EQ#0]GOTO9
 G0 Z#26
 G#33
 N9 M99
+)nc"},
+            {"fanuc", R"nc(
+O9502(PIN)
+G28 U0 W0
+G21 G40 G97 G99
+T0101
+G1 X20. F0.1
+M98 P9503
+G1 X-0.8 F0.1
+M30
+O9503(BAR PULL)
+G98 G1 Z5. F800.
+M99
 )nc"}},
     .good = {{"fanuc", R"nc(
 O9501(ONE STEP UP)
@@ -89,6 +105,7 @@ bool is_unusual(const ProgramAnalysis& analysis, GroupId group, const dataflow::
 }
 
 void check(const ProgramAnalysis& analysis, Reporter& reporter) {
+    report_modes_left_by_calls(analysis, reporter);
     if (analysis.is_main()) return;
     const auto leaks = queries::find_modal_leaks(
         analysis, RestorePolicy::state,

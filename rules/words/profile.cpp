@@ -4,6 +4,7 @@
 #include "analyzer/queries/enclosed_blocks.hpp"
 #include "analyzer/queries/next_block.hpp"
 #include "analyzer/workspace/program_analysis.hpp"
+#include "rules/path.hpp"
 #include "rules/words/row_text.hpp"
 #include "rules/words/word_list.hpp"
 
@@ -20,6 +21,8 @@ bool is_one_of(std::string_view list, const Word& word) {
     return has_word(list, word.address) || (!code.empty() && has_word(list, code));
 }
 
+constexpr std::string_view program_ends = "M2 M30";
+
 class Profile {
   public:
     Profile(const RowOfBlock& block, Reporter& reporter)
@@ -31,10 +34,13 @@ class Profile {
         const auto first = named_by(addresses.front());
         const auto last = named_by(addresses.back());
         if (!first || !last) return;
-        if (last->begin < first->begin)
-            report(word(1), "order", {number(1), number(0)});
-        else
-            look_between({first->begin, last->end});
+        if (last->begin < first->begin) return report(word(1), "order", {number(1), number(0)});
+        const auto end = first_end_between(*first, *last);
+        if (!end) return look_between({first->begin, last->end});
+        const std::size_t which = end->begin < first->begin ? 0 : 1;
+        report(word(which), "behind_end",
+               {number(which), std::string(program().slice(*end)),
+                line_number(block_.block.analysis.file(), end->begin)});
     }
 
   private:
@@ -63,6 +69,19 @@ class Profile {
         report(*own.front(), places.empty() ? "missing" : "twice",
                {std::to_string(*number), std::to_string(places.size())});
         return std::nullopt;
+    }
+
+    /// The word that ends the program before the control comes to one of the two blocks.
+    [[nodiscard]] std::optional<Span> first_end_between(Span first, Span last) const {
+        const Offset here = block_.code.span.begin;
+        const Offset from = here < first.begin ? here : first.begin;
+        std::optional<Span> end;
+        queries::for_each_block_in(program(), {from, last.begin},
+                                   [&](const BlockView&, std::span<const Word> words) {
+                                       for (const Word& inner : words)
+                                           if (!end && is_one_of(program_ends, inner)) end = inner.span;
+                                   });
+        return end;
     }
 
     void look_between(Span part) {

@@ -17,6 +17,7 @@ extern const Rule profile_block_missing{
            "another profile.",
     .severity = Severity::error,
     .precision = Precision::high,
+    .also = "MAC460",
     .messages = {{"missing", "Missing block: '{0}' of {1} names N{2}, and this program has none.",
                   "Correct the number, or give the block its N."},
                  {"twice",
@@ -24,6 +25,10 @@ extern const Rule profile_block_missing{
                   "Give each block a number of its own."},
                  {"order", "Profile that ends before it begins: N{2} of '{0}' stands before N{3}.",
                   "Exchange the two numbers."},
+                 {"behind_end",
+                  "Block behind the program's end: '{0}' of {1} names N{2}, which stands behind the {3} of "
+                  "line {4}.",
+                  "Move the block to where the cycle reads it."},
                  {"first", "Profile of {1} that begins without {3}: its first block, N{2}, has none.",
                   "Write one of them into that block."},
                  {"inside", "Word '{0}' between N{2} and N{3}, where {1} reads its profile: {4}.",
@@ -41,6 +46,21 @@ N10 G0 X20.
 G1 Z-10.
 N20 X52.
 M30
+)nc"},
+            {"fanuc", R"nc(
+O9338(TURN)
+G21 G40 G99
+T0101
+G50 S2000
+G96 S180 M3
+G0 X52. Z2.
+G71 U2. R0.5
+G71 P10 Q20 U0.4 W0.1 F0.25
+G0 X150. Z120.
+M30
+N10 G0 X20.
+G1 Z-10.
+N20 X52.
 )nc"}},
     .good = {{"fanuc", R"nc(
 O9338(TURN)

@@ -19,7 +19,6 @@ constexpr TableText no_infeed = "no pass has a depth, and the control stops";
 constexpr TableText no_lead = "the feed in force is the lead";
 constexpr TableText point_counts = "it counts thousandths, and the control stops";
 constexpr TableText compensated = "the cycle wants G40 before";
-constexpr TableText other_speed = "the speed follows the diameter, and the passes do not meet";
 constexpr TableText no_polar = "polar interpolation takes no such code";
 
 // A cycle of two blocks tells them apart by their words: the first one of G74 to G76 has no end point. In one
@@ -56,6 +55,10 @@ constexpr BookLine lines[] = {
         word("D", "CNCFORUM-G75", "relief, in a one-block cycle"),
         needs("P I", "TENC-G74", "peck", no_peck).when("X").alarm(of_16i, "062").alarm(of_30i, "319"),
         needs("P I", "TENC-G74", "peck", no_peck).when("U").alarm(of_16i, "062").alarm(of_30i, "319"),
+        needs("Q K", "TENC-G74", "step along Z", no_step).when("X Z").alarm(of_16i, "062").alarm(of_30i, "319"),
+        needs("Q K", "TENC-G74", "step along Z", no_step).when("X W").alarm(of_16i, "062").alarm(of_30i, "319"),
+        needs("Q K", "TENC-G74", "step along Z", no_step).when("U Z").alarm(of_16i, "062").alarm(of_30i, "319"),
+        needs("Q K", "TENC-G74", "step along Z", no_step).when("U W").alarm(of_16i, "062").alarm(of_30i, "319"),
         value("P", ">0", "TENC-G74", no_peck).when("X").alarm(of_16i, "062"),
         value("Q", ">0", "TENC-G74", no_step).when("Z").alarm(of_16i, "062"),
         value("R", ">=0", "GH-ALM", no_sign).when("X Z").alarm(of_16i, "062").alarm(of_30i, "318"),
@@ -86,7 +89,6 @@ constexpr BookLine lines[] = {
         value("Q", ">=0", "T", "there is no such depth").when("-X -U -Z -W"),
         whole("P Q", "F0iTC-29", point_counts).on(named).alarm(of_16i, "007").alarm(of_30i, "007"),
         takes_not("E", "GEDIT", "the cycle takes the lead by F only").on("fanuc-30i"),
-        refused_under("G96", "T", other_speed),
         refused_under("G41 G42", "T", compensated),
     code("G76", "GEDIT", "pecking along Z: face grooves, holes").in_systems("C"),
         word("X U", "GEDIT", "end point in X; of one hole on the axis none"),
@@ -116,6 +118,10 @@ constexpr BookLine lines[] = {
         word("D", "CNCFORUM-G75", "relief, in a one-block cycle"),
         needs("P I", "TENC-G74", "peck", no_peck).when("X").alarm(of_16i, "062").alarm(of_30i, "319"),
         needs("P I", "TENC-G74", "peck", no_peck).when("U").alarm(of_16i, "062").alarm(of_30i, "319"),
+        needs("Q K", "TENC-G74", "step along Z", no_step).when("X Z").alarm(of_16i, "062").alarm(of_30i, "319"),
+        needs("Q K", "TENC-G74", "step along Z", no_step).when("X W").alarm(of_16i, "062").alarm(of_30i, "319"),
+        needs("Q K", "TENC-G74", "step along Z", no_step).when("U Z").alarm(of_16i, "062").alarm(of_30i, "319"),
+        needs("Q K", "TENC-G74", "step along Z", no_step).when("U W").alarm(of_16i, "062").alarm(of_30i, "319"),
         value("P", ">0", "TENC-G74", no_peck).when("X").alarm(of_16i, "062"),
         value("Q", ">0", "TENC-G74", no_step).when("Z").alarm(of_16i, "062"),
         value("R", ">=0", "GH-ALM", no_sign).when("X Z").alarm(of_16i, "062").alarm(of_30i, "318"),
@@ -146,7 +152,6 @@ constexpr BookLine lines[] = {
         value("Q", ">=0", "T", "there is no such depth").when("-X -U -Z -W"),
         whole("P Q", "F0iTC-29", point_counts).on(named).alarm(of_16i, "007").alarm(of_30i, "007"),
         takes_not("E", "GEDIT", "the cycle takes the lead by F only").on("fanuc-30i"),
-        refused_under("G96", "T", other_speed),
         refused_under("G41 G42", "T", compensated),
     code("G90", "MIYANO", "turning in one pass and back").in_systems("A"),
         word("X U", "BLOG-FIX", "end point in X").without("end point of before"),
@@ -185,7 +190,6 @@ constexpr BookLine lines[] = {
         whole("Q", "MAN30i-57", point_counts).on(named).alarm(of_16i, "007").alarm(of_30i, "007"),
         takes_not("E", "MAN30i-57", "the cycle takes the lead by F only").on("fanuc-30i"),
         takes_not("Y C", "GH-ALM", "the cycle moves in X and Z only").on("fanuc-0i-d fanuc-30i").alarm(of_30i, "330"),
-        refused_under("G96", "T", other_speed),
         refused_under(polar, "GH-ALM", no_polar).on(named).alarm(of_16i, "146").alarm(of_30i, "146"),
     code("G78", "GEDIT", "thread in one pass and back").in_systems("B"),
         word("X U", "BLOG-FIX", "end point in X").without("end point of before"),
@@ -200,7 +204,6 @@ constexpr BookLine lines[] = {
         whole("Q", "MAN30i-57", point_counts).on(named).alarm(of_16i, "007").alarm(of_30i, "007"),
         takes_not("E", "MAN30i-57", "the cycle takes the lead by F only").on("fanuc-30i"),
         takes_not("Y C", "GH-ALM", "the cycle moves in X and Z only").on("fanuc-0i-d fanuc-30i").alarm(of_30i, "330"),
-        refused_under("G96", "T", other_speed),
         refused_under(polar, "GH-ALM", no_polar).on(named).alarm(of_16i, "146").alarm(of_30i, "146"),
     code("G21", "GEDIT", "thread in one pass and back").in_systems("C"),
         word("X U", "BLOG-FIX", "end point in X").without("end point of before"),
@@ -215,7 +218,6 @@ constexpr BookLine lines[] = {
         whole("Q", "MAN30i-57", point_counts).on(named).alarm(of_16i, "007").alarm(of_30i, "007"),
         takes_not("E", "MAN30i-57", "the cycle takes the lead by F only").on("fanuc-30i"),
         takes_not("Y C", "GH-ALM", "the cycle moves in X and Z only").on("fanuc-0i-d fanuc-30i").alarm(of_30i, "330"),
-        refused_under("G96", "T", other_speed),
         refused_under(polar, "GH-ALM", no_polar).on(named).alarm(of_16i, "146").alarm(of_30i, "146"),
     code("G94", "MIYANO", "facing in one pass and back").in_systems("A"),
         word("X U", "BLOG-FIX", "end point in X").without("end point of before"),

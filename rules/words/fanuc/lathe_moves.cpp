@@ -19,7 +19,6 @@ constexpr TableText one_corner = "a corner has one chamfer or one radius";
 constexpr TableText no_corner = "a thread ends in no corner";
 constexpr TableText no_angle = "there is no such angle";
 constexpr TableText no_move = "no axis moves";
-constexpr TableText other_speed = "the speed follows the diameter, and the passes do not meet";
 constexpr TableText point_counts = "it counts thousandths, and the control stops";
 
 // U, W and H are the steps of X, Z and C in system A; some builders read them in B and C, too.
@@ -140,7 +139,6 @@ constexpr BookLine lines[] = {
         word("Q", "MAN30i-57", "start angle in 0.001 degrees", "0..360000").without("0").or_else(no_angle),
         whole("Q", "MAN30i-57", point_counts).on(named).alarm(of_16i, "007").alarm(of_30i, "007"),
         takes_not(",C ,R", "GH-ALM", no_corner).alarm(of_30i, "050"),
-        refused_under("G96", "T", other_speed),
         refused_under(polar, "GH-ALM", no_polar).on(named).alarm(of_16i, "146").alarm(of_30i, "146"),
     code("G33", "GEDIT", "thread with a constant lead").in_systems("BC"),
         word("X Z Y", "GEDIT", "end point; X is a diameter").without("present position"),
@@ -151,7 +149,6 @@ constexpr BookLine lines[] = {
         word("Q", "MAN30i-57", "start angle in 0.001 degrees", "0..360000").without("0").or_else(no_angle),
         whole("Q", "MAN30i-57", point_counts).on(named).alarm(of_16i, "007").alarm(of_30i, "007"),
         takes_not(",C ,R", "GH-ALM", no_corner).alarm(of_30i, "050"),
-        refused_under("G96", "T", other_speed),
         refused_under(polar, "GH-ALM", no_polar).on(named).alarm(of_16i, "146").alarm(of_30i, "146"),
     code("G34", "GEDIT", "thread with a variable lead (option)"),
         word("X Z Y U W V", "GEDIT", "end point"),
@@ -159,7 +156,6 @@ constexpr BookLine lines[] = {
         word("K", "GEDIT", "change of the lead in each turn").needed("the lead does not change"),
         word("Q", "T", "start angle in 0.001 degrees").without("0"),
         takes_not(",C ,R", "GH-ALM", no_corner).alarm(of_30i, "050"),
-        refused_under("G96", "T", other_speed),
         refused_under(polar, "GH-ALM", no_polar).on(named).alarm(of_16i, "146").alarm(of_30i, "146"),
     code("G35", "T", "arc thread, clockwise (option)"),
         word("X Z U W", "T", "end point"),
