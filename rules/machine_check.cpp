@@ -50,7 +50,8 @@ Span MachineStep::block_of(const machine::Known& set) const { return line_at(ana
 std::vector<const machine::Left*> MachineStep::called() const {
     std::vector<const machine::Left*> called;
     if (!step.calls) return called;
-    for (EffectId id = step.block.effects.first; id < step.block.effects.first + step.block.effects.count; ++id)
+    for (EffectId id = step.block.effects.first; id < step.block.effects.first + step.block.effects.count;
+         ++id)
         if (const CallSite* site = analysis.call_at(id); site != nullptr && site->target && !site->in_cycle)
             called.push_back(&analysis.workspace().programs()[*site->target].machine().left());
     return called;

@@ -123,6 +123,24 @@ void States::run_calls(const flow::Node& node, State& state) const {
     }
 }
 
+/// Whether nothing but a cut can be meant: a tool that stands may bring a stop or a bar to its place.
+bool States::is_surely_a_cut(const Step& step) const {
+    const MachineWords& machine = *program_->control->machine_words;
+    if (step.move == Move::cycle) return true;
+    return machine.tool_word_holds_offset
+               ? step.after.of(ModalRole::feed_mode).is(machine.feed_per_revolution)
+               : step.axes[0] || step.axes[1];
+}
+
+/// Whether the F in force is what it moves by: the blocks of a profile have their own, and that of a thread
+/// is its lead.
+bool States::takes_feed(const Step& step) const {
+    const MachineWords& machine = *program_->control->machine_words;
+    if (step.words.has_one_of(machine.returning)) return false;
+    const Known& motion = step.after.of(ModalRole::motion);
+    return !motion.is_known() || std::ranges::find(machine.threads, motion.value) == machine.threads.end();
+}
+
 void States::survey() {
     for (const flow::Exit& exit : graph_->exits) {
         if (exit.kind != flow::ExitKind::returns && exit.kind != flow::ExitKind::runs_off) continue;
@@ -134,9 +152,10 @@ void States::survey() {
     for_each_step([&](const Step& step) {
         habits_.see(step, *program_);
         if (step.move != Move::feed && step.move != Move::cycle) return;
-        if (!left_.cuts_with_spindle && step.after.of(ModalRole::spindle).is_callers())
+        if (!left_.cuts_with_spindle && is_surely_a_cut(step) &&
+            step.after.of(ModalRole::spindle).is_callers())
             left_.cuts_with_spindle = step.block.span;
-        if (!left_.cuts_with_feed && step.after.of(ModalRole::feed).is_callers())
+        if (!left_.cuts_with_feed && takes_feed(step) && step.after.of(ModalRole::feed).is_callers())
             left_.cuts_with_feed = step.block.span;
     });
 }

@@ -56,9 +56,8 @@ bool Words::has_one_of(std::span<const double> wanted) const {
 
 bool sets(const ControlModel& control, const BlockView& block, ModalRole role) {
     const auto group = control.group_with(role);
-    return group && std::ranges::any_of(block.settings, [&](const BlockSetting& setting) {
-               return setting.group == *group;
-           });
+    return group && std::ranges::any_of(block.settings,
+                                        [&](const BlockSetting& setting) { return setting.group == *group; });
 }
 
 Stepper::Stepper(const Program& program, const MachineWords& machine)

@@ -35,11 +35,12 @@ const dataflow::Liveness& ProgramAnalysis::liveness() const {
 
 const machine::States& ProgramAnalysis::machine() const {
     return *machine_.get([this] {
-        return std::make_unique<const machine::States>(*program_, graph_, [this](EffectId call) -> const machine::Left* {
-            const CallSite* site = call_at(call);
-            if (site == nullptr || !site->target || site->in_cycle) return nullptr;
-            return &workspace_->programs()[*site->target].machine().left();
-        });
+        return std::make_unique<const machine::States>(
+            *program_, graph_, [this](EffectId call) -> const machine::Left* {
+                const CallSite* site = call_at(call);
+                if (site == nullptr || !site->target || site->in_cycle) return nullptr;
+                return &workspace_->programs()[*site->target].machine().left();
+            });
     });
 }
 

@@ -24,7 +24,9 @@ extern const Rule file_and_number_differ{
     .why = "Who copies a program as the beginning of another one easily leaves its number: read in, it takes "
            "the place of the old program, and a call finds the wrong one.",
     .severity = Severity::note,
-    .precision = Precision::high,
+    .precision = Precision::medium,
+    .on_by_default = false,
+    .off_reason = "copies of a program often keep its number on purpose.",
     .messages = {{"plain",
                   "File named {1} holds program '{0}': read in, it is another program than its name says.",
                   "Give both the same number."}},

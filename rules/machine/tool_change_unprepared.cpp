@@ -15,15 +15,15 @@ extern const Rule tool_change_unprepared{
     .name = "tool-change-unprepared",
     .summary = "A tool change has no tool, or a spindle is started that has no speed",
     .why = "The change brings back whatever tool was there before; a spindle without a speed stands, or "
-           "turns as the "
-           "program before has left it.",
+           "turns as the program before has left it.",
     .severity = Severity::warning,
     .precision = Precision::high,
     .messages = {{"tool", "Tool change without a tool: no T stands before '{0}'{1}.",
                   "Write T with the number of the tool."},
                  {"speed", "Spindle without a speed: '{0}' starts it, and no S stands before the tool cuts.",
                   "Give S where the spindle is started."},
-                 {"no_speed", "Spindle without a speed: '{0}' starts it, and the tool cuts under the S0 of line {1}.",
+                 {"no_speed",
+                  "Spindle without a speed: '{0}' starts it, and the tool cuts under the S0 of line {1}.",
                   "Give S where the spindle is started."}},
     .bad = {{"fanuc", R"nc(
 O9528(PLATE)
@@ -100,7 +100,9 @@ void check(const MachineStep& at, Reporter& reporter) {
     if (!at.cuts() || !at.is_on(at.after(), ModalRole::spindle)) return;
     const machine::Known& speed = at.after().of(ModalRole::speed);
     const bool none = speed.is_callers();
-    if (!(none && at.habits.gives_speed()) && !speed.is(0)) return;
+    // Routers without a word for the speed have none for the tool's length either.
+    const bool has_speeds = at.habits.gives_speed() || at.habits.changes_with_length_offset() > 0;
+    if (!(none && has_speeds) && !speed.is(0)) return;
     if (!at.is_first_of(speed)) return;
     const Span start = at.block_of(at.after().of(ModalRole::spindle));
     reporter.report({at.analysis, start}, start, none ? "speed" : "no_speed",

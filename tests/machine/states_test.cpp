@@ -77,7 +77,9 @@ TEST(MachineStates, HaveTheSpindleStoppedByAToolChange) {
 }
 
 TEST(MachineStates, KnowWhereTheToolIs) {
-    const auto z_behind = [](const std::string& blocks) { return behind("O1\nG90 G0 Z50.\n" + blocks + "\nM30\n", "Y9.")->position[2]; };
+    const auto z_behind = [](const std::string& blocks) {
+        return behind("O1\nG90 G0 Z50.\n" + blocks + "\nM30\n", "Y9.")->position[2];
+    };
     EXPECT_EQ(z_behind("Z5.\nY9."), 5);
     EXPECT_EQ(z_behind("G91 Z-5.\nY9."), 45);
     EXPECT_TRUE(std::isnan(z_behind("Z5\nY9."))) << "a word without a point may be thousandths";
@@ -98,7 +100,8 @@ TEST(MachineStates, OfALongPlainRunAreThoseOfWhatBeginsSomething) {
 }
 
 TEST(MachineStates, LeaveToCallersWhatCutsByTheirSpindle) {
-    const auto workspace = test::analyse_fanuc("O1\nM98 P2\nM98 P3\nM30\nO2\nG1 X5. F200.\nM99\nO3\nS500 M3\nG1 X5.\nM99\n");
+    const auto workspace =
+        test::analyse_fanuc("O1\nM98 P2\nM98 P3\nM30\nO2\nG1 X5. F200.\nM99\nO3\nS500 M3\nG1 X5.\nM99\n");
     const auto& called = workspace->programs()[1].machine().left();
     EXPECT_TRUE(called.cuts_with_spindle);
     EXPECT_FALSE(called.cuts_with_feed);

@@ -35,7 +35,8 @@ TEST(SpindleMissing, FollowsTheCalls) {
 TEST(FeedMissing, FollowsTheCalls) {
     const std::string slot = "O2\nG91 G1 X5.\nG90\nM99\n";
     EXPECT_THAT(lines_raised("MAC553", begins + "S500 M3\nG43 H1 Z5.\nM98 P2\nM30\n" + slot), ElementsAre(6));
-    EXPECT_THAT(lines_raised("MAC553", begins + "S500 M3 F200.\nG43 H1 Z5.\nM98 P2\nM30\n" + slot), IsEmpty());
+    EXPECT_THAT(lines_raised("MAC553", begins + "S500 M3 F200.\nG43 H1 Z5.\nM98 P2\nM30\n" + slot),
+                IsEmpty());
 }
 
 TEST(FeedMissing, TakesTheLastWordOfABlock) {
@@ -46,7 +47,8 @@ TEST(OffsetOfAnotherTool, LeavesToolsWithSeveralOffsetsAlone) {
     const std::string others = "T2 M6\nG43 H2 Z50.\nT3 M6\nG43 H3 Z50.\n";
     EXPECT_THAT(lines_raised("MAC520", begins + "G43 H2 Z50.\n" + others + "M30\n"), ElementsAre(4));
     EXPECT_THAT(lines_raised("MAC520", begins + "G43 H1 Z50.\nG43 H21 Z5.\n" + others + "M30\n"), IsEmpty());
-    EXPECT_THAT(lines_raised("MAC520", begins + "G43 H2 Z50.\nM30\n"), IsEmpty()) << "nothing to hold it against";
+    EXPECT_THAT(lines_raised("MAC520", begins + "G43 H2 Z50.\nM30\n"), IsEmpty())
+        << "nothing to hold it against";
 }
 
 TEST(LengthOffsetMissing, KnowsThatAPathLeavesItOut) {
@@ -74,9 +76,12 @@ TEST(ReturnThroughZero, IsOneThatGoesDown) {
 
 TEST(TappingOrder, IsTheCyclesAndNotTheChipConveyors) {
     const std::string before = begins + "G43 H1 Z50.\nM29 S500\n";
-    EXPECT_THAT(lines_raised("MAC530", before + "X10.\nG84 X10. Z-10. R5. F500.\nG80\nM30\n"), ElementsAre(7));
-    EXPECT_THAT(lines_raised("MAC530", before + "G84 X10. Z-10. R5. F500.\nG80\nM29\nX10.\nM30\n"), IsEmpty());
-    EXPECT_THAT(lines_raised("MAC530", before + "X10.\nT2 M6\nG84 X10. Z-10. R5. F500.\nG80\nM30\n"), IsEmpty());
+    EXPECT_THAT(lines_raised("MAC530", before + "X10.\nG84 X10. Z-10. R5. F500.\nG80\nM30\n"),
+                ElementsAre(7));
+    EXPECT_THAT(lines_raised("MAC530", before + "G84 X10. Z-10. R5. F500.\nG80\nM29\nX10.\nM30\n"),
+                IsEmpty());
+    EXPECT_THAT(lines_raised("MAC530", before + "X10.\nT2 M6\nG84 X10. Z-10. R5. F500.\nG80\nM30\n"),
+                IsEmpty());
 }
 
 } // namespace
