@@ -52,8 +52,8 @@ std::vector<const machine::Left*> MachineStep::called() const {
     if (!step.calls) return called;
     for (EffectId id = step.block.effects.first; id < step.block.effects.first + step.block.effects.count;
          ++id)
-        if (const CallSite* site = analysis.call_at(id); site != nullptr && site->target && !site->in_cycle)
-            called.push_back(&analysis.workspace().programs()[*site->target].machine().left());
+        if (std::holds_alternative<Call>(analysis.program().effects[id].what))
+            if (const machine::Left* left = analysis.machine().left_by_call(id)) called.push_back(left);
     return called;
 }
 

@@ -28,6 +28,8 @@ class States {
 
     [[nodiscard]] bool empty() const { return before_.empty(); }
     [[nodiscard]] const Left& left() const { return left_; }
+    /// What the program that the call means leaves; nullptr: nobody has it.
+    [[nodiscard]] const Left* left_by_call(EffectId call) const { return left_by_call_(call); }
     [[nodiscard]] const Habits& habits() const { return habits_; }
 
     /// `visit(Step)` for the blocks that paths lead to, in the order of the text. Of very long runs of plain

@@ -1,4 +1,5 @@
 //! MAC521: cutter compensation without an offset, or over a change of the tool.
+#include "rules/machine/change_under_compensation.hpp"
 #include "rules/machine_check.hpp"
 #include "rules/path.hpp"
 
@@ -34,7 +35,6 @@ O9521(PLATE)
 G90 G17 G54 G40
 T1 M6
 S3000 M3
-G0 X-20. Y0
 G43 H1 Z-5.
 G1 G41 X0 F200.
 Y40.
@@ -46,7 +46,6 @@ O9521(PLATE)
 G90 G17 G54 G40
 T1 M6
 S3000 M3
-G0 X-20. Y0
 G43 H1 Z-5.
 G1 G41 D0 X0 F200.
 Y40.
@@ -58,7 +57,6 @@ O9521(PLATE)
 G90 G17 G54 G40
 T1 M6
 S3000 M3
-G0 X-20. Y0
 G43 H1 Z-5.
 G1 G41 D1 X0 F200.
 Y40.
@@ -66,7 +64,6 @@ G40 X-20.
 G0 Z50.
 T2 M6
 S3000 M3
-G0 X-20. Y0
 G43 H2 Z-5.
 G1 G41 X0 F200.
 Y40.
@@ -78,15 +75,13 @@ O9521(PLATE)
 G90 G17 G54 G40
 T1 M6
 S3000 M3
-G0 X-20. Y0
 G43 H1 Z-5.
 G1 G41 D1 X0 F200.
 Y40.
 G0 Z50.
 T2 M6
 S3000 M3
-G40 G0 X-20. Y0
-M30
+G40 M30
 )nc"}},
     .good = {{"fanuc", R"nc(
 O9521(PLATE)
@@ -106,25 +101,11 @@ M30
 
 namespace {
 
-void at_change(const MachineStep& at, Reporter& reporter) {
-    if (!at.is_on(at.before(), ModalRole::cutter_compensation)) return;
-    const machine::Known& on = at.before().of(ModalRole::cutter_compensation);
-    const std::optional<double> off = at.off(ModalRole::cutter_compensation);
-    if (!off || at.after().of(ModalRole::cutter_compensation).is(*off) || !at.is_first_of(on)) return;
-    reporter
-        .report(at.cause(), at.block(), "change",
-                {quoted(at.analysis.program(), at.block()),
-                 at.spelled(at.before(), ModalRole::cutter_compensation), at.line_of(on),
-                 at.analysis.control().spell(
-                     *at.analysis.control().group_with(ModalRole::cutter_compensation), *off)})
-        .related.push_back(at.at(on, "compensation begins here"));
-}
-
 void check(const MachineStep& at, Reporter& reporter) {
     // T0100 behind T0101 takes an offset back, and turns nothing.
     const bool keeps_tool = at.letters().tool_word_holds_offset &&
                             (!at.before().tool.is_known() || at.after().tool.is(at.before().tool.value));
-    if (at.step.changes_tool && !keeps_tool) return at_change(at, reporter);
+    if (at.step.changes_tool && !keeps_tool) return check_change_under_compensation(at, reporter);
     const char letter = at.letters().cutter_offset;
     const machine::Known& on = at.after().of(ModalRole::cutter_compensation);
     if (letter == 0 || !at.is_on(at.after(), ModalRole::cutter_compensation) || on.block != at.block().begin)

@@ -1,8 +1,7 @@
 //! MAC554: a cut with a spindle that stands.
+#include "rules/machine/sure_cuts.hpp"
 #include "rules/machine_check.hpp"
 #include "rules/path.hpp"
-
-#include <algorithm>
 
 namespace maclint::rules {
 
@@ -30,7 +29,6 @@ O9554(PLATE)
 G90 G17 G54
 T1 M6
 S3000 M3
-G0 X0 Y0
 G43 H1 Z50.
 G1 Z-5. F200.
 X50.
@@ -48,7 +46,6 @@ O9554(PLATE)
 G90 G17 G54
 T1 M6
 S3000 M3
-G0 X0 Y0
 G43 H1 Z50.
 G1 Z-5. F200.
 X50.
@@ -65,7 +62,6 @@ O9554(PLATE)
 G90 G17 G54
 T1 M6
 S3000
-G0 X0 Y0
 G43 H1 Z50.
 G81 X5. Y5. Z-3. R2. F100.
 G80
@@ -76,7 +72,6 @@ O9554(DOWEL PIN)
 G90 G17 G54
 T1 M6
 S3000 M3
-G0 X0 Y0
 G43 H1 Z50.
 G1 Z-5. F200.
 X50.
@@ -84,7 +79,6 @@ G0 Z50.
 M5
 G1 Z-2. F500. (A STOP FOR THE PART)
 M0
-G0 Z50.
 T2 M6
 M13 S1200
 G0 X25. Y25.
@@ -105,29 +99,6 @@ M99
 };
 
 namespace {
-
-/// A canned cycle at a position, a circle, or a straight line after the tool has fed down: any other move may
-/// bring a stop, a pin or a probe to its place.
-bool is_surely_a_cut(const MachineStep& at) {
-    const machine::State& now = at.after();
-    if (at.letters().tool_word_holds_offset) {
-        if (at.step.move == machine::Move::cycle) return true;
-        const machine::Known& mode = now.of(ModalRole::feed_mode);
-        return at.step.move == machine::Move::feed && mode.is(at.letters().feed_per_revolution);
-    }
-    if (at.step.move == machine::Move::cycle) {
-        const machine::Known& cycle = now.of(ModalRole::cycle);
-        return cycle.is_known() && std::ranges::find(at.letters().tapping_cycles, cycle.value) ==
-                                       at.letters().tapping_cycles.end();
-    }
-    if (at.step.move != machine::Move::feed || (!at.step.axes[0] && !at.step.axes[1])) return false;
-    return at.before().plunged.is(1);
-}
-
-bool calls_what_cuts(const MachineStep& at) {
-    return std::ranges::any_of(at.called(),
-                               [](const machine::Left* left) { return left->cuts_with_spindle.has_value(); });
-}
 
 void check(const MachineStep& at, Reporter& reporter) {
     if (!at.cuts() && !at.step.calls) return;
