@@ -27,6 +27,10 @@ class Habits {
     [[nodiscard]] int changes_with_start() const { return changes_with_start_; }
     [[nodiscard]] bool gives_feed() const { return gives_feed_; }
     [[nodiscard]] bool gives_speed() const { return gives_speed_; }
+    /// Whether it works with a tool, a spindle or a feed at all: a few blocks that move are no such program.
+    [[nodiscard]] bool is_of_a_machine() const {
+        return names_tools_ || gives_feed_ || turns_spindle_ || gives_speed_;
+    }
     /// Whether it names a tool anywhere.
     [[nodiscard]] bool names_tools() const { return names_tools_; }
     /// How often a tool has this offset.

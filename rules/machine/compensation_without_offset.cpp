@@ -113,9 +113,11 @@ void check(const MachineStep& at, Reporter& reporter) {
     // Other controls have the radius itself there, or the number of the offset in another word.
     if (at.step.words.has('P') || at.step.words.has('H') || at.step.words.has('R')) return;
     const machine::Known& offset = at.after().cutter_offset;
-    const bool none = offset.is_callers() && at.analysis.is_main();
+    // Who numbers no offset of the length may have the radius elsewhere, too.
+    const bool none =
+        offset.is_callers() && at.analysis.is_main() && at.habits.changes_with_length_offset() > 0;
     const bool is_others = offset.is(machine::not_since_change);
-    if (!none && !is_others && !offset.is(0)) return;
+    if ((!none && !is_others && !offset.is(0)) || !at.is_first_of(offset)) return;
     reporter.report(at.cause(), at.block(),
                     none        ? "none"
                     : is_others ? "other"

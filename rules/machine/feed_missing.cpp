@@ -62,7 +62,7 @@ X10.
 M99
 )nc"}},
     .alarms = {{"FANUC 16i/18i/21i", "011", "NO FEEDRATE COMMANDED", false},
-               {"FANUC 30i/0i-D", "011", "FEED ZERO (COMMAND)", false}},
+               {"FANUC 30i/0i-D", "011", "FEED ZERO ( COMMAND )", false}},
     .sources = {"T"},
     .check = MachineCheck{&check},
 };
@@ -81,7 +81,7 @@ void check(const MachineStep& at, Reporter& reporter) {
     if (motion.is_known() && is_in(at.letters().threads, motion.value)) return;
     const machine::Known& feed = now.of(ModalRole::feed);
     const bool none = feed.is_callers() && at.analysis.is_main();
-    if (!(none || feed.is(0)) || !at.is_first_of(feed)) return;
+    if (!(none || feed.is(0)) || !at.habits.is_of_a_machine() || !at.is_first_of(feed)) return;
     reporter.report(at.cause(), at.block(), none ? "none" : "nothing",
                     {quoted(at.analysis.program(), at.block()), at.line_of(feed)});
 }
