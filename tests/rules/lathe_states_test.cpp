@@ -137,6 +137,14 @@ TEST(ToolOffsets, AreMissedWhereTheToolHasOneElsewhere) {
     EXPECT_THAT(turned("MAC568", "G0 X50. Z2.\nG1 Z-9. F0.1\nG0 X99.\nT0000\nG1 X50.\n"), IsEmpty());
 }
 
+// ---- MAC521
+
+TEST(Compensation, IsOffBeforeAnotherToolOfATurretComes) {
+    const std::string cut = "G0 X50. Z2.\nG42 G1 Z-9. F0.1\nG0 X99. Z50.\n";
+    EXPECT_THAT(turned("MAC521", cut + "T0202\n"), ElementsAre("change 7"));
+    EXPECT_THAT(turned("MAC521", cut + "T0100\nG40 G0 X120.\nT0202\n"), IsEmpty());
+}
+
 // ---- MAC534
 
 TEST(Turrets, MayTurnWhereTheProgramAlwaysTurnsThem) {
