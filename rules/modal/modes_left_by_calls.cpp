@@ -77,11 +77,15 @@ class Search {
         const GroupId group = *analysis_.control().group_with(role);
         const auto code = [&](double number) { return analysis_.control().spell(group, number); };
         const std::string line = line_number(analysis_.file(), step.block.span.begin);
-        reporter_
-            .report({analysis_, call}, call, "by-call",
-                    {capital_name(analysis_, group), code(step.after.of(role).value),
-                     quoted(analysis_.program(), call), line, code(own.value)})
-            .related.push_back({analysis_.source(), step.block.span, "this program cuts so here"});
+        const std::string left = code(step.after.of(role).value);
+        Finding& finding = reporter_.report(
+            {analysis_, call}, call, "by-call",
+            {capital_name(analysis_, group), left, quoted(analysis_.program(), call), line, code(own.value)});
+        const std::string_view text = analysis_.program().text;
+        const auto end = static_cast<Offset>(std::min(text.find_first_of("\r\n", own.block), text.size()));
+        finding.path = {{analysis_.source(), {own.block, end}, code(own.value) + " is in force from here on"},
+                        {analysis_.source(), call, "the called program leaves " + left}};
+        finding.related.push_back({analysis_.source(), step.block.span, "this program cuts so here"});
     }
 
     const ProgramAnalysis& analysis_;
