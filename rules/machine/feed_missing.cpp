@@ -59,6 +59,7 @@ M30
 O9553(POCKET, CALLED WITH A FEED)
 G91 G1 Z-1.
 X10.
+G90
 M99
 )nc"}},
     .alarms = {{"FANUC 16i/18i/21i", "011", "NO FEEDRATE COMMANDED", false},

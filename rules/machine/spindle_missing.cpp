@@ -91,7 +91,7 @@ M30
 O9554(POCKET, CALLED WITH THE SPINDLE ON)
 G91 G1 Z-1. F200.
 X10.
-Y10.
+G90
 M99
 )nc"}},
     .sources = {"T"},

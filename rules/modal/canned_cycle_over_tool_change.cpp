@@ -41,6 +41,7 @@ extern const Rule canned_cycle_over_tool_change{
     .bad = {{"fanuc", R"nc(
 O9569(HOLES)
 T1 M6
+G43 H1 Z50.
 G98 G81 X10. Y10. Z-12. R2. F150.
 X30.
 T2 M6
