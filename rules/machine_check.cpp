@@ -32,13 +32,11 @@ Span MachineStep::place_of(char letter) const {
 }
 
 std::optional<double> MachineStep::off(ModalRole role) const {
-    const auto group = analysis.control().group_with(role);
-    return group ? analysis.control().groups[*group].cancel : std::nullopt;
+    return machine::code_off(analysis.control(), role);
 }
 
 bool MachineStep::is_on(const machine::State& state, ModalRole role) const {
-    const machine::Known& mode = state.of(role);
-    return mode.is_known() && mode.value != off(role);
+    return machine::is_surely_on(state, analysis.control(), role);
 }
 
 std::string MachineStep::spelled(const machine::State& state, ModalRole role) const {

@@ -18,7 +18,6 @@ constexpr std::string_view of_other_curves = "ABCELPQ";
 /// Modes whose positions are no lengths along two straight axes of one scale.
 constexpr std::array bent = {ModalRole::polar_coordinates, ModalRole::polar_interpolation,
                              ModalRole::scaling};
-constexpr double millimetres_of_inch = 25.4;
 constexpr std::size_t x_axis = 0, y_axis = 1, z_axis = 2;
 
 double length(const Pair& way) { return std::hypot(way[0], way[1]); }
@@ -73,19 +72,14 @@ bool Reader::is_circle() const {
     const auto& circles = control_.groups[*motion].circles;
     if (std::ranges::find(circles, mode.value) == circles.end()) return false;
     if (std::ranges::any_of(of_other_curves, [&](char letter) { return has(letter); })) return false;
-    return std::ranges::none_of(bent, [&](ModalRole role) {
-        const auto group = control_.group_with(role);
-        const Known& state = step_.after.of(role);
-        return group && !state.is_callers() &&
-               !(state.is_known() && state.value == control_.groups[*group].cancel);
-    });
+    return std::ranges::none_of(bent, [&](ModalRole role) { return may_be_on(step_.after, control_, role); });
 }
 
 /// A number without a point may mean steps of a thousandth.
 bool Reader::can_be_read(char letter) const {
     if (!has(letter)) return true;
     const auto number = step_.words.number(letter);
-    return number && (number->decimal_point || number->value == 0);
+    return number && number->is_length();
 }
 
 double Reader::value(char letter) const {
@@ -144,10 +138,7 @@ double Reader::tolerance() const {
     }
     constexpr double digits = 1.5;
     const double rounding = decimals == 0 ? 0 : digits * std::pow(10, -static_cast<double>(decimals));
-    const auto units = control_.group_with(ModalRole::units);
-    const Known& unit = step_.after.of(ModalRole::units);
-    const bool is_inch =
-        units && unit.is_known() && unit.value == control_.groups[*units].members.front().number;
+    const bool is_inch = step_.after.of(ModalRole::units).is(machine_.inch);
     return std::max(machine_.circle_tolerance / (is_inch ? millimetres_of_inch : 1), rounding);
 }
 

@@ -10,10 +10,8 @@ namespace {
 
 /// The code of compensation that is surely on, by a block of the program.
 const Known* in_force(const State& state, const ControlModel& control) {
-    const auto group = control.group_with(ModalRole::cutter_compensation);
-    if (!group) return nullptr;
-    const Known& code = state.of(ModalRole::cutter_compensation);
-    return code.is_known() && code.value != control.groups[*group].cancel ? &code : nullptr;
+    constexpr ModalRole role = ModalRole::cutter_compensation;
+    return is_surely_on(state, control, role) ? &state.of(role) : nullptr;
 }
 
 /// Whether the block moves in the plane of the compensation, or may do so.

@@ -33,10 +33,8 @@ void Habits::see(const Step& step, const Program& program) {
         waits_for_offset_ = false;
         if (step.after.tool.is_known()) ++pairs_[{step.after.tool.value, length.value}];
     }
-    const auto spindle = control.group_with(ModalRole::spindle);
-    const Known& turning = step.after.of(ModalRole::spindle);
-    if (spindle && turning.is_known() && turning.block == step.block.span.begin &&
-        turning.value != control.groups[*spindle].cancel) {
+    const bool turns = is_surely_on(step.after, control, ModalRole::spindle);
+    if (turns && step.after.of(ModalRole::spindle).block == step.block.span.begin) {
         turns_spindle_ = true;
         if (waits_for_start_) ++changes_with_start_;
         waits_for_start_ = false;
@@ -67,10 +65,10 @@ const Arc* Habits::wrong_arc(Offset block) const {
 
 void Habits::see_lathe(const Step& step, const ControlModel& control) {
     constexpr std::size_t x = 0, z = 2;
-    constexpr double far = 20, inch = 25.4; // mm
+    constexpr double far = 20; // mm
     const bool is_inch = step.before.of(ModalRole::units).is(control.machine_words->inch);
     if (step.changes_tool && step.before.cut.is(1)) {
-        const double height = step.before.position[z] * (is_inch ? inch : 1);
+        const double height = step.before.position[z] * (is_inch ? millimetres_of_inch : 1);
         if (std::isnan(height) || height >= far) ++retreats_;
     }
     if (step.move != Move::feed && step.move != Move::cycle) return;

@@ -8,7 +8,6 @@
 namespace maclint::machine {
 namespace {
 
-constexpr double millimetres_of_inch = 25.4;
 /// So near runs a cut along the same line; so near has its tool taken away what is there. In mm.
 constexpr double on_line = 0.3, beside_cut = 1.5;
 

@@ -95,10 +95,7 @@ void States::forget_between(State& state) {
 }
 
 bool States::calls_after_moves(const State& state) const {
-    const auto calls = program_->control->group_with(ModalRole::macro_call);
-    const Known& call = state.of(ModalRole::macro_call);
-    return calls && !call.is_callers() &&
-           !(call.is_known() && call.value == program_->control->groups[*calls].cancel);
+    return may_be_on(state, *program_->control, ModalRole::macro_call);
 }
 
 void States::run_calls(const flow::Node& node, State& state) const {
@@ -132,15 +129,6 @@ bool States::is_surely_a_cut(const Step& step) const {
                : step.axes[0] || step.axes[1];
 }
 
-/// Whether the F in force is what it moves by: the blocks of a profile have their own, and that of a thread
-/// is its lead.
-bool States::takes_feed(const Step& step) const {
-    const MachineWords& machine = *program_->control->machine_words;
-    if (step.words.has_one_of(machine.returning)) return false;
-    const Known& motion = step.after.of(ModalRole::motion);
-    return !motion.is_known() || std::ranges::find(machine.threads, motion.value) == machine.threads.end();
-}
-
 void States::survey() {
     for (const flow::Exit& exit : graph_->exits) {
         if (exit.kind != flow::ExitKind::returns && exit.kind != flow::ExitKind::runs_off) continue;
@@ -155,7 +143,8 @@ void States::survey() {
         if (!left_.cuts_with_spindle && is_surely_a_cut(step) &&
             step.after.of(ModalRole::spindle).is_callers())
             left_.cuts_with_spindle = step.block.span;
-        if (!left_.cuts_with_feed && takes_feed(step) && step.after.of(ModalRole::feed).is_callers())
+        if (!left_.cuts_with_feed && takes_feed(step, *program_->control->machine_words) &&
+            step.after.of(ModalRole::feed).is_callers())
             left_.cuts_with_feed = step.block.span;
     });
 }

@@ -103,7 +103,6 @@ class States {
     void run_calls(const flow::Node& node, State& state) const;
     void survey();
     [[nodiscard]] bool is_surely_a_cut(const Step& step) const;
-    [[nodiscard]] bool takes_feed(const Step& step) const;
 
     const Program* program_;
     const flow::Graph* graph_;

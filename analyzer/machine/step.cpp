@@ -54,6 +54,27 @@ bool Words::has_one_of(std::span<const double> wanted) const {
     return std::ranges::any_of(g_codes(), [&](double code) { return contains(wanted, code); });
 }
 
+std::optional<double> code_off(const ControlModel& control, ModalRole role) {
+    const auto group = control.group_with(role);
+    return group ? control.groups[*group].cancel : std::nullopt;
+}
+
+bool is_surely_on(const State& state, const ControlModel& control, ModalRole role) {
+    return state.of(role).is_known() && state.of(role).value != code_off(control, role);
+}
+
+bool may_be_on(const State& state, const ControlModel& control, ModalRole role) {
+    const Known& mode = state.of(role);
+    return control.group_with(role) && !mode.is_callers() &&
+           !(mode.is_known() && mode.value == code_off(control, role));
+}
+
+bool takes_feed(const Step& step, const MachineWords& machine) {
+    if (step.words.has_one_of(machine.returning)) return false;
+    const Known& motion = step.after.of(ModalRole::motion);
+    return !motion.is_known() || !contains(machine.threads, motion.value);
+}
+
 bool sets(const ControlModel& control, const BlockView& block, ModalRole role) {
     const auto group = control.group_with(role);
     return group && std::ranges::any_of(block.settings,
@@ -68,8 +89,8 @@ Stepper::Stepper(const Program& program, const MachineWords& machine)
     , cycle_(control_->group_with(ModalRole::cycle))
     , has_distance_(control_->group_with(ModalRole::distance).has_value())
     , has_level_(control_->group_with(ModalRole::return_level).has_value()) {
-    if (spindle_) spindle_off_ = control_->groups[*spindle_].cancel;
-    if (cycle_) cycle_off_ = control_->groups[*cycle_].cancel;
+    spindle_off_ = code_off(*control_, ModalRole::spindle);
+    cycle_off_ = code_off(*control_, ModalRole::cycle);
 }
 
 void Stepper::begin(const BlockView& block) {
@@ -248,9 +269,7 @@ Move Stepper::kind_of_move(const State& state, const Words& words) const {
 }
 
 std::optional<double> Stepper::target(const State& state, const Words& words, std::size_t axis) const {
-    const auto usable = [](const std::optional<Number>& number) {
-        return number && (number->decimal_point || number->value == 0);
-    };
+    const auto usable = [](const std::optional<Number>& number) { return number && number->is_length(); };
     const auto absolute = words.number(machine_->axes[axis]);
     const auto increment = words.number(machine_->increments[axis]);
     const double from = state.position[axis];
@@ -292,7 +311,7 @@ void Stepper::move_in_cycle(State& state, const Words& words) const {
     if (words.has(machine_->radius)) {
         const auto level = words.number(machine_->radius);
         const bool is_absolute = state.of(ModalRole::distance).is(machine_->absolute);
-        state.cycle_level = level && is_absolute && (level->decimal_point || level->value == 0)
+        state.cycle_level = level && is_absolute && level->is_length()
                                 ? Known::of(level->value, words.word(machine_->radius)->span.begin)
                                 : Known::nothing();
     }

@@ -29,6 +29,9 @@ struct Number {
     double value;
     bool decimal_point;
     Span span;
+
+    /// Whether it says how long something is: a number without a point may count thousandths.
+    [[nodiscard]] bool is_length() const { return decimal_point || value == 0; }
 };
 
 /// The words of a block by their letters, and its G codes.
@@ -77,6 +80,19 @@ struct Step {
     bool to_reference; ///< it runs to a reference position of the machine
     bool calls;        ///< it calls a program
 };
+
+/// How many mm an inch is, where positions are in inches.
+inline constexpr double millimetres_of_inch = 25.4;
+
+/// The code under which the group does nothing; nothing where the control has no such group, or code.
+[[nodiscard]] std::optional<double> code_off(const ControlModel& control, ModalRole role);
+/// Whether a code other than that is in force, by a block of the program.
+[[nodiscard]] bool is_surely_on(const State& state, const ControlModel& control, ModalRole role);
+/// Whether it may be: what the caller left is taken for off.
+[[nodiscard]] bool may_be_on(const State& state, const ControlModel& control, ModalRole role);
+/// Whether the block moves by the F in force: those of a profile have their own, and that of a thread is its
+/// lead.
+[[nodiscard]] bool takes_feed(const Step& step, const MachineWords& machine);
 
 /// Whether a word of the block sets the group of that role.
 [[nodiscard]] bool sets(const ControlModel& control, const BlockView& block, ModalRole role);

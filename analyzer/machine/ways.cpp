@@ -48,7 +48,6 @@ class Gatherer {
     [[nodiscard]] const std::vector<Way>& ways() const { return ways_; }
 
   private:
-    [[nodiscard]] bool is_off(const State& state, ModalRole role) const;
     void add(const Step& step, const Point& from, const Point& to, double z_from, double z_to);
     void add_arc(const Step& step, const Point& from, const Point& to, double z_from, double z_to);
     [[nodiscard]] std::optional<Point> centre_of(const Step& step, const Point& from, const Point& to,
@@ -59,12 +58,6 @@ class Gatherer {
     std::vector<Way> ways_;
     bool is_usable_ = true, is_inch_ = true;
 };
-
-bool Gatherer::is_off(const State& state, ModalRole role) const {
-    const auto group = control_.group_with(role);
-    const Known& mode = state.of(role);
-    return !group || mode.is_callers() || (mode.is_known() && mode.value == control_.groups[*group].cancel);
-}
 
 void Gatherer::add(const Step& step, const Point& from, const Point& to, double z_from, double z_to) {
     const Known& frame = step.after.of(ModalRole::work_offset);
@@ -121,8 +114,9 @@ void Gatherer::add_arc(const Step& step, const Point& from, const Point& to, dou
 void Gatherer::see(const Step& step) {
     if (!is_usable_) return;
     // What a called program cuts is not known here.
-    is_usable_ = !step.calls && ways_.size() <= most_ways &&
-                 std::ranges::all_of(turned, [&](ModalRole role) { return is_off(step.after, role); });
+    is_usable_ = !step.calls && ways_.size() <= most_ways && std::ranges::all_of(turned, [&](ModalRole role) {
+        return !may_be_on(step.after, control_, role);
+    });
     const Known& plane = step.after.of(ModalRole::plane);
     const auto planes = control_.group_with(ModalRole::plane);
     if (planes && plane.is_known() && plane.value != control_.groups[*planes].members.front().number)

@@ -3,7 +3,6 @@
 #include "rules/path.hpp"
 
 #include <algorithm>
-#include <span>
 
 namespace maclint::rules {
 
@@ -74,12 +73,7 @@ void check(const MachineStep& at, Reporter& reporter) {
     const auto cuts_with_feed = [](const machine::Left* left) { return left->cuts_with_feed.has_value(); };
     if (!at.cuts() && !std::ranges::any_of(at.called(), cuts_with_feed)) return;
     const machine::State& now = at.after();
-    const machine::Known& motion = now.of(ModalRole::motion);
-    const auto is_in = [](std::span<const double> codes, double code) {
-        return std::ranges::find(codes, code) != codes.end();
-    };
-    if (at.step.words.has_one_of(at.letters().returning)) return; // its blocks have their own
-    if (motion.is_known() && is_in(at.letters().threads, motion.value)) return;
+    if (!machine::takes_feed(at.step, at.letters())) return;
     const machine::Known& feed = now.of(ModalRole::feed);
     const bool none = feed.is_callers() && at.analysis.is_main();
     if (!(none || feed.is(0)) || !at.habits.is_of_a_machine() || !at.is_first_of(feed)) return;

@@ -9,8 +9,6 @@
 namespace maclint::rules {
 namespace {
 
-constexpr double inch = 25.4;
-
 bool lies_inside(double start, const std::optional<ProfilePath::Range>& range, double margin) {
     return range && range->least + margin < start && start < range->greatest - margin;
 }
@@ -25,7 +23,7 @@ void check_profile(const MachineStep& at, Reporter& reporter) {
     const auto path = profile_path(at);
     if (!path) return;
     const bool is_inch = at.after().of(ModalRole::units).is(at.letters().inch);
-    const double unit = is_inch ? 1 / inch : 1;
+    const double unit = is_inch ? 1 / machine::millimetres_of_inch : 1;
     const double margin = 3 * unit, tolerance = 0.02 * unit;
     const std::string code = "G" + number_word(along_z ? roughing[0] : roughing[1]);
     const auto xs = path->xs(), zs = path->zs();

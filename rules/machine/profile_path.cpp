@@ -53,7 +53,7 @@ class Follower {
         const bool by_step = step != 0 && words.has(step);
         if (!by_step && !words.has(target)) return false;
         const auto number = words.number(by_step ? step : target);
-        const bool is_usable = number && (number->decimal_point || number->value == 0);
+        const bool is_usable = number && number->is_length();
         if (!is_usable)
             place = nowhere;
         else

@@ -74,8 +74,7 @@ void check(const MachineStep& at, Reporter& reporter) {
     constexpr std::size_t z = 2;
     const char letter = at.letters().axes[z];
     const auto point = at.step.words.number(letter);
-    if (!at.step.to_reference || !point || point->value > 0 || (!point->decimal_point && point->value != 0))
-        return;
+    if (!at.step.to_reference || !point || point->value > 0 || !point->is_length()) return;
     if (!at.after().of(ModalRole::distance).is(at.letters().absolute)) return;
     const double height = at.before().position[z];
     const bool is_unknown = std::isnan(height);

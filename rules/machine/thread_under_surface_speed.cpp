@@ -104,7 +104,7 @@ std::optional<double> x_of_hole(const MachineStep& at) {
                                   !at.after().of(ModalRole::distance).is(letters.absolute);
     if (counts_from_here) return std::nullopt;
     const auto place = at.step.words.number(letters.axes[x]);
-    return place && (place->decimal_point || place->value == 0) ? std::optional(place->value) : std::nullopt;
+    return place && place->is_length() ? std::optional(place->value) : std::nullopt;
 }
 
 void check(const MachineStep& at, Reporter& reporter) {

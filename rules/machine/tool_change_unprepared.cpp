@@ -89,13 +89,12 @@ namespace {
 void check(const MachineStep& at, Reporter& reporter) {
     if (!at.analysis.is_main()) return;
     const machine::Known& prepared = at.before().prepared;
-    const std::string block = quoted(at.analysis.program(), at.block());
     if (at.step.changes_tool && !at.step.words.has(at.letters().tool) && at.habits.names_tools() &&
         (prepared.is_callers() || prepared.is(machine::none_prepared))) {
         const bool is_first = prepared.is_callers();
-        reporter.report(
-            at.cause(), at.block(), "tool",
-            {block, is_first ? std::string() : ", after the change of line " + at.line_of(prepared)});
+        reporter.report(at.cause(), at.block(), "tool",
+                        {quoted(at.analysis.program(), at.block()),
+                         is_first ? std::string() : ", after the change of line " + at.line_of(prepared)});
     }
     if (!at.cuts() || !at.is_on(at.after(), ModalRole::spindle)) return;
     const machine::Known& speed = at.after().of(ModalRole::speed);

@@ -105,7 +105,7 @@ void check(const MachineStep& at, Reporter& reporter) {
     const auto widest = at.habits.widest_cut();
     const machine::Position& place = at.before().position;
     if (!at.before().cut.is(1) || !widest || std::isnan(place[x]) || std::isnan(place[z])) return;
-    const double unit = is_metric(at) ? 1 : 1 / 25.4;
+    const double unit = is_metric(at) ? 1 : 1 / machine::millimetres_of_inch;
     const double height = at.habits.retreats() > 1 ? 10 : 1, beside = 30; // mm
     if (place[z] >= height * unit || place[x] >= *widest + beside * unit) return;
     const Span word = at.place_of(at.letters().tool);
