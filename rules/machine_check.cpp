@@ -6,15 +6,25 @@
 
 #include <algorithm>
 #include <iterator>
+#include <string_view>
 #include <variant>
 
 namespace maclint {
 namespace {
 
-/// The block that begins there, up to the end of its line.
+/// The block that begins there, up to the end of its line, or to a comment in it.
 Span line_at(const Program& program, Offset begin) {
-    const std::size_t end = program.text.find_first_of("\r\n", begin);
-    return {begin, static_cast<Offset>(std::min(end, program.text.size()))};
+    const syntax::PlainTables* tables = program.plain_tables[0];
+    const auto ends = [&](char c) {
+        return c == '\r' || c == '\n' ||
+               (tables != nullptr &&
+                tables->bytes[static_cast<unsigned char>(c)].start == syntax::PlainStart::comment);
+    };
+    const std::string_view rest = program.text.substr(begin);
+    const std::string_view line =
+        rest.substr(0, static_cast<std::size_t>(std::ranges::find_if(rest, ends) - rest.begin()));
+    const std::size_t last = line.find_last_not_of(" \t");
+    return {begin, begin + static_cast<Offset>(last == std::string_view::npos ? 0 : last + 1)};
 }
 
 /// A rule that takes part in the pass.
@@ -25,6 +35,11 @@ struct Taking {
 };
 
 } // namespace
+
+std::string MachineStep::quoted_block() const {
+    const Span words = step.words.span();
+    return quoted(analysis.program(), words.empty() ? block() : words);
+}
 
 Span MachineStep::place_of(char letter) const {
     const Word* word = letter == 0 ? nullptr : step.words.word(letter);

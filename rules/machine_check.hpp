@@ -25,6 +25,8 @@ struct MachineStep {
     [[nodiscard]] const MachineWords& letters() const { return *analysis.control().machine_words; }
     /// The block without blanks around it.
     [[nodiscard]] Span block() const { return step.block.span; }
+    /// The block from its first word to its last, for a message.
+    [[nodiscard]] std::string quoted_block() const;
     /// The word of the letter, or the block where none stands.
     [[nodiscard]] Span place_of(char letter) const;
     [[nodiscard]] bool cuts() const {
@@ -39,7 +41,7 @@ struct MachineStep {
     /// Whether the rule has not yet spoken of what was set there; from now on it has.
     [[nodiscard]] bool is_first_of(const machine::Known& set) const { return told.insert(set.block).second; }
     [[nodiscard]] Cause cause() const { return {analysis, step.block.span}; }
-    /// The block that set something.
+    /// The block that set something, up to a comment in it.
     [[nodiscard]] Span block_of(const machine::Known& set) const;
     /// What the programs that the block calls do; those that nobody has are left out.
     [[nodiscard]] std::vector<const machine::Left*> called() const;

@@ -27,6 +27,7 @@ bool contains(std::span<const double> numbers, double number) {
 } // namespace
 
 Words::Words(std::span<const Word> words) {
+    if (!words.empty()) span_ = {words.front().span.begin, words.back().span.end};
     for (const Word& word : words) {
         if (word.address.size() != 1 || word.address.front() < 'A' || word.address.front() > 'Z') continue;
         const Word*& first = words_[index(word.address.front())];

@@ -47,6 +47,8 @@ class Words {
     [[nodiscard]] std::span<const double> m_codes() const { return m_codes_.all(); }
     [[nodiscard]] bool has_g(double code) const;
     [[nodiscard]] bool has_one_of(std::span<const double> wanted) const;
+    /// From the first word to the last; empty where there are none.
+    [[nodiscard]] Span span() const { return span_; }
     [[nodiscard]] bool has_computed_code() const { return has_computed_code_; }
 
   private:
@@ -65,6 +67,7 @@ class Words {
 
     std::array<const Word*, 26> words_ = {};
     Codes g_codes_, m_codes_;
+    Span span_ = {};
     bool has_computed_code_ = false;
 };
 

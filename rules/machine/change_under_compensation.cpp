@@ -12,8 +12,7 @@ void check_change_under_compensation(const MachineStep& at, Reporter& reporter) 
     if (!off || at.after().of(ModalRole::cutter_compensation).is(*off) || !at.is_first_of(on)) return;
     reporter
         .report(at.cause(), at.block(), "change",
-                {quoted(at.analysis.program(), at.block()),
-                 at.spelled(at.before(), ModalRole::cutter_compensation), at.line_of(on),
+                {at.quoted_block(), at.spelled(at.before(), ModalRole::cutter_compensation), at.line_of(on),
                  at.analysis.control().spell(
                      *at.analysis.control().group_with(ModalRole::cutter_compensation), *off)})
         .related.push_back(at.at(on, "compensation begins here"));

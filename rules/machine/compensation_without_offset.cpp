@@ -121,7 +121,7 @@ void check(const MachineStep& at, Reporter& reporter) {
                     none        ? "none"
                     : is_others ? "other"
                                 : "zero",
-                    {quoted(at.analysis.program(), at.block()), at.line_of(offset)});
+                    {at.quoted_block(), at.line_of(offset)});
 }
 
 } // namespace

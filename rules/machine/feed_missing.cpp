@@ -77,8 +77,7 @@ void check(const MachineStep& at, Reporter& reporter) {
     const machine::Known& feed = now.of(ModalRole::feed);
     const bool none = feed.is_callers() && at.analysis.is_main();
     if (!(none || feed.is(0)) || !at.habits.is_of_a_machine() || !at.is_first_of(feed)) return;
-    reporter.report(at.cause(), at.block(), none ? "none" : "nothing",
-                    {quoted(at.analysis.program(), at.block()), at.line_of(feed)});
+    reporter.report(at.cause(), at.block(), none ? "none" : "nothing", {at.quoted_block(), at.line_of(feed)});
 }
 
 } // namespace

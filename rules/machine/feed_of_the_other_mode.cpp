@@ -102,7 +102,7 @@ void check(const MachineStep& at, Reporter& reporter) {
     if (!at.cuts() || !feed.is_known() || feed.by_call || mode.by_call || cuts_by_lead(at)) return;
     const MachineWords& letters = at.letters();
     const FeedSize size(at.before(), letters);
-    const std::string block = quoted(at.analysis.program(), at.block());
+    const std::string block = at.quoted_block();
     const auto group = *at.analysis.control().group_with(ModalRole::feed_mode);
     const auto code = [&](double number) { return at.analysis.control().spell(group, number); };
     if (mode.is(letters.feed_per_revolution)) {

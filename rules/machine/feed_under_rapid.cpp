@@ -74,8 +74,7 @@ void check(const MachineStep& at, Reporter& reporter) {
     if (!motion.is(at.letters().rapid) || at.is_on(at.after(), ModalRole::macro_call)) return;
     reporter
         .report(at.cause(), at.place_of('F'), "rapid",
-                {quoted(at.analysis.program(), at.block()), at.spelled(at.after(), ModalRole::motion),
-                 at.line_of(motion)})
+                {at.quoted_block(), at.spelled(at.after(), ModalRole::motion), at.line_of(motion)})
         .related.push_back(at.at(motion, "the rapid traverse begins here"));
 }
 

@@ -47,9 +47,8 @@ void check(const MachineStep& at, Reporter& reporter) {
     const machine::Arc* arc = at.habits.wrong_arc(at.step.block.span.begin);
     if (arc == nullptr || arc->fault != machine::ArcFault::nothing_moves) return;
     const Span radius = at.place_of(arc->letter);
-    reporter.report(
-        at.cause(), radius, "stands",
-        {quoted(at.analysis.program(), at.block()), quoted(at.analysis.program(), radius), arc->letters});
+    reporter.report(at.cause(), radius, "stands",
+                    {at.quoted_block(), quoted(at.analysis.program(), radius), arc->letters});
 }
 
 } // namespace

@@ -87,7 +87,7 @@ std::string length_word(double length) {
 void check(const MachineStep& at, Reporter& reporter) {
     const machine::Arc* arc = at.habits.wrong_arc(at.step.block.span.begin);
     if (arc == nullptr) return;
-    const std::string block = quoted(at.analysis.program(), at.block());
+    const std::string block = at.quoted_block();
     const std::string first = length_word(arc->first), second = length_word(arc->second);
     const Span word = at.place_of(arc->letter);
     switch (arc->fault) {

@@ -94,7 +94,7 @@ void check(const MachineStep& at, Reporter& reporter) {
     if (!is_by_numbers || !at.is_first_of(at.after().distance_for_return)) return;
     reporter
         .report(at.cause(), at.block(), "kept",
-                {quoted(at.analysis.program(), at.block()), at.spelled(at.after(), ModalRole::distance),
+                {at.quoted_block(), at.spelled(at.after(), ModalRole::distance),
                  at.line_of(at.after().distance_for_return)})
         .related.push_back(at.at(at.after().distance_for_return, "it stands here, for the return"));
 }

@@ -118,7 +118,7 @@ void check(const MachineStep& at, Reporter& reporter) {
         return; // G43 without H is another matter
     reporter
         .report(at.cause(), at.place_of('Z'), "none",
-                {quoted(at.analysis.program(), at.block()), "line " + at.line_of(at.after().changed)})
+                {at.quoted_block(), "line " + at.line_of(at.after().changed)})
         .related.push_back(at.at(at.after().changed, "the tool is changed here"));
 }
 

@@ -81,9 +81,9 @@ void check(const MachineStep& at, Reporter& reporter) {
     const bool is_at_work =
         at.before().length_offset.is_known() && at.before().length_offset.value > 0 && at.before().cut.is(1);
     if (is_unknown ? !is_at_work : height <= point->value) return;
-    reporter.report(at.cause(), at.block(), is_unknown ? "from_somewhere" : "down",
-                    {quoted(at.analysis.program(), at.block()), number_word(point->value),
-                     is_unknown ? std::string() : number_word(height)});
+    reporter.report(
+        at.cause(), at.block(), is_unknown ? "from_somewhere" : "down",
+        {at.quoted_block(), number_word(point->value), is_unknown ? std::string() : number_word(height)});
 }
 
 } // namespace

@@ -116,11 +116,12 @@ void check(const MachineStep& at, Reporter& reporter) {
     const bool since_plunge = !calls && at.before().plunged.is(1) && at.step.move == machine::Move::feed;
     const Span place = since_plunge ? at.block_of(at.before().plunged) : at.block();
     const bool by_change = at.after().changed.is_known() && at.after().changed.block == spindle.block;
-    Finding& finding = reporter.report({at.analysis, place}, place,
-                                       never       ? "never"
-                                       : by_change ? "changed"
-                                                   : "stopped",
-                                       {quoted(at.analysis.program(), place), at.line_of(spindle)});
+    Finding& finding = reporter.report(
+        {at.analysis, place}, place,
+        never       ? "never"
+        : by_change ? "changed"
+                    : "stopped",
+        {since_plunge ? quoted(at.analysis.program(), place) : at.quoted_block(), at.line_of(spindle)});
     if (!never) finding.related.push_back(at.at(spindle, "the spindle stands from here on"));
 }
 

@@ -118,7 +118,7 @@ void check(const MachineStep& at, Reporter& reporter) {
         reporter.report(at.cause(), at.block(), id, {std::move(what), surface, at.line_of(mode), turns})
             .related.push_back(at.at(mode, "constant surface speed begins here"));
     };
-    if (cuts_thread(at)) return report("thread", quoted(at.analysis.program(), at.block()));
+    if (cuts_thread(at)) return report("thread", at.quoted_block());
     constexpr double near_in_mm = 0.1, near_in_inches = 0.004;
     const bool is_metric = at.after().of(ModalRole::units).is(at.letters().metric);
     const auto x = x_of_hole(at);

@@ -93,7 +93,7 @@ void check(const MachineStep& at, Reporter& reporter) {
         (prepared.is_callers() || prepared.is(machine::none_prepared))) {
         const bool is_first = prepared.is_callers();
         reporter.report(at.cause(), at.block(), "tool",
-                        {quoted(at.analysis.program(), at.block()),
+                        {at.quoted_block(),
                          is_first ? std::string() : ", after the change of line " + at.line_of(prepared)});
     }
     if (!at.cuts() || !at.is_on(at.after(), ModalRole::spindle)) return;
