@@ -5,6 +5,7 @@
 #include "analyzer/program/lines_with.hpp"
 
 #include <algorithm>
+#include <utility>
 
 namespace maclint::machine {
 namespace {
@@ -38,10 +39,10 @@ class Domain {
 
 } // namespace
 
-States::States(const Program& program, const flow::Graph& graph, const LeftByCall& left_by_call)
+States::States(const Program& program, const flow::Graph& graph, LeftByCall left_by_call)
     : program_(&program)
     , graph_(&graph)
-    , left_by_call_(left_by_call) {
+    , left_by_call_(std::move(left_by_call)) {
     if (program.control->machine_words == nullptr || program.has_several_channels() || graph.nodes.empty() ||
         graph.nodes.size() > most_nodes) {
         left_.state.is_reached = true;

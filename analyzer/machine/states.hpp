@@ -24,7 +24,7 @@ using LeftByCall = std::function<const Left*(EffectId call)>;
 class States {
   public:
     /// Nothing is known of a program whose control has no words for it, or which is too large.
-    States(const Program& program, const flow::Graph& graph, const LeftByCall& left_by_call);
+    States(const Program& program, const flow::Graph& graph, LeftByCall left_by_call);
 
     [[nodiscard]] bool empty() const { return before_.empty(); }
     [[nodiscard]] const Left& left() const { return left_; }
