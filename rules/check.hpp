@@ -57,6 +57,8 @@ enum class RowStatement : std::uint8_t {
     apart,      ///< the code stands beside none of the other codes
     precedes,   ///< the next block holds one of the other codes
     refused,    ///< the code does not stand at all where the row holds: under another code, in a section
+    names_none, ///< they number no block with one of the other codes
+    left_on,    ///< what the code switches on is off again when the program ends
 };
 
 /// Looks at the rows that say the same, one at a time, in the blocks where it holds;

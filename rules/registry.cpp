@@ -165,6 +165,7 @@
     RULE(codes_not_together)                    /* MAC582 */ \
     RULE(too_many_words)                        /* MAC584 */ \
     RULE(feed_under_rapid)                      /* MAC585 */ \
+    RULE(left_switched_on)                      /* MAC586 */ \
     RULE(alarm_number_out_of_range)             /* MAC601 */ \
     RULE(missing_argument_validation)           /* MAC604 */ \
     RULE(position_read_ahead)                   /* MAC605 */ \
@@ -204,6 +205,11 @@
     RULE(tool_not_in_turret)                     /* DIN118 */ \
     RULE(tool_edge_range)                        /* DIN119 */ \
     RULE(converted_leftovers)                    /* DIN123 */ \
+    RULE(contour_name_missing)                   /* DIN205 */ \
+    RULE(finished_outside_blank)                 /* DIN209 */ \
+    RULE(level_unbalanced)                       /* DIN225 */ \
+    RULE(full_circle_arc)                        /* DIN229 */ \
+    RULE(corner_longer_than_line)                /* DIN239 */ \
     RULE(reserved_global)                        /* DIN303 */ \
     RULE(string_number_mismatch)                 /* DIN305 */ \
     RULE(integer_global_fraction)                /* DIN306 */ \
@@ -239,6 +245,7 @@
     RULE(default_position)                       /* DIN412 */ \
     RULE(switch_not_variable)                    /* DIN413 */ \
     RULE(m99_target)                             /* DIN415 */ \
+    RULE(shift_adds_up)                          /* DIN418 */ \
     RULE(condition_without_comparison)           /* DIN422 */ \
     RULE(v1_on_local)                            /* DIN504 */ \
     RULE(return_in_main)                         /* DIN507 */ \
@@ -253,10 +260,15 @@
     RULE(radius_comp_not_cancelled)              /* DIN619 */ \
     RULE(g16_not_reset)                          /* DIN632 */ \
     RULE(g920_not_reset)                         /* DIN634 */ \
+    RULE(arc_geometry)                           /* DIN662 */ \
     RULE(contour_reference_missing)              /* DIN704 */ \
+    RULE(wrong_kind_of_block)                    /* DIN706 */ \
+    RULE(pilot_mark_undefined)                   /* DIN819 */ \
     RULE(sync_mark_unmatched)                    /* DIN902 */ \
+    RULE(sync_deadlock)                          /* DIN903 */ \
     RULE(slide_not_in_head)                      /* DIN905 */ \
-    RULE(g30_left_active)                        /* DIN906 */
+    RULE(g30_left_active)                        /* DIN906 */ \
+    RULE(result_unchecked)                       /* DIN930 */
 // clang-format on
 
 namespace maclint {

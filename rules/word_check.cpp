@@ -3,6 +3,7 @@
 
 #include "analyzer/program/lines_with.hpp"
 #include "analyzer/queries/modes_at.hpp"
+#include "analyzer/queries/switches_at.hpp"
 #include "analyzer/workspace/program_analysis.hpp"
 #include "rules/words/arcs_going_on.hpp"
 #include "rules/words/row_indexes.hpp"
@@ -44,6 +45,7 @@ std::vector<Finding> check_words(const ProgramAnalysis& analysis, std::span<cons
             taking.push_back({check, addresses_named(program, check->addresses), Reporter(*rule)});
     RowPass row_pass(rules);
     queries::ModesAt modes_at(analysis);
+    queries::SwitchesAt switches_at(analysis);
     const bool modal_calls = queries::has_modal_calls(program);
     const auto rule_wants = [&](const WordSummary& words) {
         return std::ranges::any_of(taking, [&](const Taking& rule) { return rule.wants(words); });
@@ -53,12 +55,17 @@ std::vector<Finding> check_words(const ProgramAnalysis& analysis, std::span<cons
         if (taking.empty() && index.empty()) continue;
         ArcsGoingOn arcs(analysis, index);
         bool only_arcs = false;
+        const auto is_idle_in = [&](const PlainRun& run) {
+            return [&](const WordRow& row) {
+                return !switches_at.may_hold_in(run, section, row.while_on, row.while_off);
+            };
+        };
         for_each_block_with_words(
             program, section.items,
             [&](const PlainRun& run, const auto& take) {
                 if (rule_wants(run.words))
                     take(run.span);
-                else if (const auto codes = index.codes_wanted(program, run); !codes.empty())
+                else if (const auto codes = index.codes_wanted(program, run, is_idle_in(run)); !codes.empty())
                     for_each_line_with(codes, program.text, run.span, take); // few lines of CAM output
                 only_arcs = true;
                 arcs.for_each_line(run, take);
@@ -68,8 +75,8 @@ std::vector<Finding> check_words(const ProgramAnalysis& analysis, std::span<cons
                 return only_arcs || rule_wants(block) || index.wants_block(block);
             },
             [&](const BlockView& block, std::span<const Word> words, const WordSummary* summary) {
-                const queries::WordsOfBlock with_words{analysis,    block,   words,
-                                                       modal_calls, section, modes_at};
+                const queries::WordsOfBlock with_words{analysis, block,    words,      modal_calls,
+                                                       section,  modes_at, switches_at};
                 if (only_arcs || summary == nullptr) arcs.look_at(with_words, row_pass);
                 if (only_arcs) return;
                 for (Taking& rule : taking)

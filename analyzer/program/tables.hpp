@@ -7,6 +7,7 @@
 #include "analyzer/program/ids.hpp"
 #include "analyzer/program/modal_groups.hpp"
 #include "analyzer/program/section_kinds.hpp"
+#include "analyzer/program/switches.hpp"
 #include "analyzer/program/variable.hpp"
 #include "analyzer/program/variable_tables.hpp"
 
@@ -147,6 +148,7 @@ struct ControlModel {
     std::vector<ExclusiveCodes> exclusive_codes = {};
     /// Which words move its axes and choose its tools; nullptr: nobody has said it.
     const MachineWords* machine_words = nullptr;
+    std::span<const Switch> switches = {}; ///< most_switches at most
 
     [[nodiscard]] bool has(Capability capability) const;
     /// The one of `lathes` with that system, or nullptr.

@@ -9,6 +9,7 @@
 namespace maclint::queries {
 
 class ModesAt;
+class SwitchesAt;
 
 /// A block and its words; good as long as the check runs.
 struct WordsOfBlock {
@@ -19,6 +20,7 @@ struct WordsOfBlock {
     const Section& section;
     ModesAt&
         modes_at; ///< `modes_at(block)`: what is in force; a rule that asks declares dataflow::BeforeNode
+    SwitchesAt& switches_at; ///< what is switched on
 };
 
 /// Whether words of the block may be skipped or stand under a condition: then two that exclude each other may

@@ -39,6 +39,19 @@ bool has_letter(std::span<const Word> words, char letter) {
         words, [&](const Word& word) { return word.address == std::string_view(&letter, 1); });
 }
 
+/// The letter as an address that lasts.
+std::string_view letter_of(char letter) {
+    constexpr std::string_view letters = "ABCDEFGHIJKLMNOPQRSTUVWXYZ";
+    return letters.substr(static_cast<std::size_t>(letter - 'A'), 1);
+}
+
+/// Whether the block calls a program, in which any code may stand.
+bool calls(const Program& program, const BlockView& block) {
+    return std::ranges::any_of(program.effects_in(block.effects), [](const Effect& effect) {
+        return std::holds_alternative<Call>(effect.what);
+    });
+}
+
 /// Looks at one block after the other until it has found the one, or there is no use in going on.
 struct Search {
     const Program& program;
@@ -125,14 +138,21 @@ std::optional<std::vector<Word>> next_block_with(const WordsOfBlock& block, char
 }
 
 std::optional<std::vector<Word>> last_block_with(const WordsOfBlock& block, char letter) {
+    const Program& program = block.analysis.program();
     const Offset place = block.block.span.begin;
-    const Offset begin = lines_back(block.analysis.program().text, place, most_blocks);
+    const Slice items = block.section.items;
+    const Offset first = items.count == 0 ? place : program.span_of(items.first).begin;
     std::optional<std::vector<Word>> found;
-    for_each_block_in(
-        block, {begin, place}, [] { return true; },
-        [&](const BlockView&, std::span<const Word> words) {
-            if (has_letter(words, letter)) found.emplace(words.begin(), words.end());
-        });
+    for (int lines = most_blocks; !found && lines <= most_later_lines; lines *= 2) {
+        const Offset begin = lines_back(program.text, place, lines);
+        for_each_block_in(
+            block, {begin, place}, [] { return true; },
+            [&](const BlockView& view, std::span<const Word> words) {
+                if (has_letter(words, letter)) found.emplace(words.begin(), words.end());
+                if (calls(program, view)) found = std::vector{Word{letter_of(letter), {}, false, view.span}};
+            });
+        if (begin <= first) break;
+    }
     return found;
 }
 

@@ -2,6 +2,7 @@
 #include "analyzer/workspace/program_analysis.hpp"
 
 #include "analyzer/machine/states.hpp"
+#include "analyzer/machine/switch_states.hpp"
 #include "analyzer/program/tables.hpp"
 
 #include <algorithm>
@@ -40,6 +41,18 @@ const machine::States& ProgramAnalysis::machine() const {
                 const CallSite* site = call_at(call);
                 if (site == nullptr || !site->target || site->in_cycle) return nullptr;
                 return &workspace_->programs()[*site->target].machine().left();
+            });
+    });
+}
+
+const machine::SwitchStates& ProgramAnalysis::switches() const {
+    return *switches_.get([this] {
+        return std::make_unique<const machine::SwitchStates>(
+            *program_, graph_, [this](EffectId call, std::uint8_t channel) -> const machine::SwitchState* {
+                const CallSite* site = call_at(call);
+                if (site == nullptr || !site->target || site->in_cycle) return nullptr;
+                const auto* called = workspace_->programs()[*site->target].switches().of(channel);
+                return called == nullptr ? nullptr : &called->left();
             });
     });
 }

@@ -22,8 +22,9 @@
 namespace maclint {
 
 namespace machine {
+class SwitchStates;
 class States;
-}
+} // namespace machine
 
 struct Caller {
     ProgramIndex program;
@@ -90,6 +91,8 @@ class ProgramAnalysis {
     [[nodiscard]] const dataflow::Liveness& liveness() const;
     /// What the machine is doing at its blocks. May be asked on several threads.
     [[nodiscard]] const machine::States& machine() const;
+    /// What is switched on and off at its blocks. May be asked on several threads.
+    [[nodiscard]] const machine::SwitchStates& switches() const;
     /// What is learnt about the program while paths through it are looked for.
     [[nodiscard]] SearchMemory& search_memory() const { return search_memory_; }
     [[nodiscard]] const std::vector<dataflow::Loop>& loops() const { return loops_; }
@@ -143,6 +146,7 @@ class ProgramAnalysis {
     mutable MadeOnce<flow::ShortestPaths> paths_; ///< most programs have no finding
     mutable MadeOnce<dataflow::Liveness> liveness_;
     mutable MadeOnce<std::unique_ptr<const machine::States>> machine_;
+    mutable MadeOnce<std::unique_ptr<const machine::SwitchStates>> switches_;
     mutable SearchMemory search_memory_;
     std::vector<CallSite> calls_;
     std::vector<Caller> callers_;

@@ -19,7 +19,7 @@ VAR
 #_end=#l1(40)
 MACHINING
 N10 G0 X#_start Z2
-N11 G1 X#_end
+N11 G0 X#_end
 N99 M30
 END
 )nc"}},
@@ -29,7 +29,7 @@ VAR
 #_end=#l2(40)
 MACHINING
 N10 G0 X#_start Z2
-N11 G1 X#_end
+N11 G0 X#_end
 N99 M30
 END
 )nc"}},

@@ -93,6 +93,13 @@ struct BookLine {
     [[nodiscard]] constexpr BookLine under(TableText codes) const { return with(&WordRow::under, codes); }
     /// The words stay while the code's group is in force: WordRow::kept.
     [[nodiscard]] constexpr BookLine kept() const { return with(&WordRow::kept, true); }
+    /// Of what is off again at the end: also at the next tool.
+    [[nodiscard]] constexpr BookLine at_tool() const { return with(&WordRow::others, TableText("T")); }
+    /// Only while that switch is on, or off: WordRow::while_on.
+    [[nodiscard]] constexpr BookLine while_on(TableText name) const { return with(&WordRow::while_on, name); }
+    [[nodiscard]] constexpr BookLine while_off(TableText name) const {
+        return with(&WordRow::while_off, name);
+    }
     /// Also in a block that calls a program: WordRow::in_calls.
     [[nodiscard]] constexpr BookLine in_calls() const { return with(&WordRow::in_calls, true); }
     /// The alarm that the control raises where the line is not kept, by its list.

@@ -91,6 +91,22 @@ constexpr BookLine not_before(TableText codes, std::uint32_t line, TableText eff
     return statement(RowStatement::precedes, codes, {}, line, {}, effect);
 }
 
+/// The words number no block of a contour with one of the codes; `right`: some that it may have.
+constexpr BookLine names_none(TableText words, TableText codes, TableText right, std::uint32_t line,
+                              TableText effect) {
+    BookLine result = statement(RowStatement::names_none, words, codes, line, {}, effect);
+    result.row.first_block = right;
+    return result;
+}
+/// Not at all, under a condition (BookLine::while_off).
+constexpr BookLine refused(std::uint32_t line, TableText effect) {
+    return statement(RowStatement::refused, {}, {}, line, {}, effect);
+}
+/// The switch is off again when the program ends.
+constexpr BookLine left_on(TableText name, std::uint32_t line, TableText effect) {
+    return statement(RowStatement::left_on, {}, {}, line, {}, effect).while_on(name);
+}
+
 } // namespace book
 
 } // namespace maclint

@@ -4,7 +4,10 @@
 #include "analyzer/program/tables.hpp"
 #include "analyzer/queries/sections.hpp"
 #include "analyzer/workspace/program_analysis.hpp"
+#include "rules/path.hpp"
 #include "rules/words/row_of_block.hpp"
+#include "rules/words/row_switch.hpp"
+#include "rules/words/row_text.hpp"
 
 #include <string>
 
@@ -25,7 +28,9 @@ extern const Rule code_forbidden_here{
     .severity = Severity::error,
     .precision = Precision::high,
     .messages = {{"under", "Code {0} while {1} is in force: {2}.", "Switch {1} off before."},
-                 {"section", "Code {0} in {1}: {2}.", "Move it to where it belongs."}},
+                 {"section", "Code {0} in {1}: {2}.", "Move it to where it belongs."},
+                 {"on", "Code {0} while the {1} is on, since {3}: {2}.", "Switch it off before."},
+                 {"off", "Code {0} while the {1} is off: {2}.", "Switch it on before, or leave {0} out."}},
     .bad = {{"fanuc", R"nc(
 O9527(PROBE)
 G90 G54 G0 X0 Y0
@@ -57,12 +62,29 @@ bool machining_is_missing(const RowOfBlock& block) {
            !queries::has_section(analysis.program(), SectionKind::Role::machining);
 }
 
+/// "line 12": of the block that has switched it on.
+std::string since(const RowOfBlock& block) {
+    const Offset at = block.switched.on_at;
+    return at == machine::Switched::nowhere ? "before the program is called"
+                                            : "line " + line_number(block.block.analysis.file(), at);
+}
+
+void report_switch(const RowOfBlock& block, Reporter& reporter) {
+    const WordRow& row = block.row();
+    const bool is_on = !row.while_on.empty();
+    block.report(reporter, block.code, is_on ? "on" : "off",
+                 {block.text_of(block.code), std::string(is_on ? row.while_on.view() : first_switch_off(row)),
+                  std::string(row.effect), since(block)});
+}
+
 void check(const RowOfBlock& block, Reporter& reporter) {
+    const WordRow& row = block.row();
+    if (!row.while_on.empty() || !row.while_off.empty()) return report_switch(block, reporter);
     const bool under = !block.under.empty();
     if (!under && machining_is_missing(block)) return;
     block.report(reporter, block.code, under ? "under" : "section",
                  {block.text_of(block.code), under ? block.under : std::string(block.block.section.kind),
-                  std::string(block.row().effect)});
+                  std::string(row.effect)});
 }
 
 } // namespace

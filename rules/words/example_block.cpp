@@ -58,6 +58,8 @@ std::string ExampleBlock::value_of(std::string_view address) const {
     for (const WordRow* row : rows_)
         if (row->says == RowStatement::values && row->when.empty() && has_word(row->words, address))
             return allowed_value(*row);
+    for (const WordRow* row : rows_)
+        if (row->says == RowStatement::names_none && has_word(row->words, address)) return "10";
     if (const WordRow* row = enclosed(); row != nullptr && has_word(row->words, address))
         return words_of(row->words).front() == address ? "10" : "20";
     return has_word(frame_of(control_).with_point, address) ? "10." : "2";

@@ -4,6 +4,7 @@
 #include "rules/words/example_words.hpp"
 #include "rules/words/rule_row.hpp"
 
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -24,6 +25,8 @@ class ExampleBlock {
     [[nodiscard]] const WordRow* enclosed() const;
     /// The row on the blocks after, whose data the code begins; nullptr: it begins none.
     [[nodiscard]] const WordRow* begun_data(const WordRow* broken = nullptr) const;
+    /// All rows of the code there.
+    [[nodiscard]] std::span<const WordRow* const> rows() const { return rows_; }
     /// As `text()`, for the row: with the words that it is about.
     [[nodiscard]] std::string text_that_keeps(const WordRow& row) const;
 

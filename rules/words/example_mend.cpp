@@ -32,10 +32,9 @@ ExampleWords ExampleBlock::words(const WordRow* about, bool kept) const {
 
 void ExampleBlock::begin_with(ExampleWords& words, const WordRow& row, bool kept) const {
     for (const std::string_view text : words_of(row.when)) {
-        const RowCondition condition = condition_of(text);
+        const WordCondition condition = condition_of(text);
         if (!condition.there || condition.or_missing) continue;
-        const std::string_view value =
-            condition.others ? std::string_view() : condition.values.substr(0, condition.values.find('|'));
+        const std::string_view value = fitting_value(condition);
         words.add(condition.address, value.empty() ? value_of(condition.address) : std::string(value));
     }
     const auto add_first = [&](std::string_view list) {
@@ -69,6 +68,7 @@ void ExampleBlock::begin_with(ExampleWords& words, const WordRow& row, bool kept
         break;
     }
     case RowStatement::encloses:
+    case RowStatement::names_none:
         for (const std::string_view address : words_of(row.words)) add(words, address);
         break;
     case RowStatement::digits:
@@ -80,7 +80,8 @@ void ExampleBlock::begin_with(ExampleWords& words, const WordRow& row, bool kept
     case RowStatement::until:
     case RowStatement::apart:
     case RowStatement::precedes:
-    case RowStatement::refused: break;
+    case RowStatement::refused:
+    case RowStatement::left_on: break;
     }
 }
 
@@ -98,7 +99,7 @@ bool ExampleBlock::mend(ExampleWords& words, const WordRow& row, std::string_vie
         const bool has_one =
             std::ranges::any_of(partners, [&](std::string_view partner) { return words.holds(partner); });
         if (has_one) return false;
-        const RowCondition partner = condition_of(partners.front());
+        const WordCondition partner = condition_of(partners.front());
         const std::string value(partner.values.empty() ? value_of(partner.address)
                                                        : partner.values.substr(0, partner.values.find('|')));
         words.set(partner.address, value);

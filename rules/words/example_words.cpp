@@ -36,7 +36,7 @@ bool ExampleWords::stands(std::string_view addresses) const {
 
 bool ExampleWords::holds(std::string_view conditions) const {
     return std::ranges::all_of(words_of(conditions), [&](std::string_view text) {
-        const RowCondition condition = condition_of(text);
+        const WordCondition condition = condition_of(text);
         const auto word =
             std::ranges::find_if(all_, [&](const auto& one) { return one.first == condition.address; });
         if (word == all_.end()) return !condition.there || condition.or_missing;

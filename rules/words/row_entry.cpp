@@ -14,12 +14,14 @@ bool RowIndex::Entry::can_be_wrong(syntax::AddressSet any, syntax::AddressSet al
     case RowStatement::only_with: return any.meets(maybe_words) && !all.meets(others);
     case RowStatement::takes_only: return !any.without(words).empty();
     case RowStatement::at_most:
+    case RowStatement::names_none:
     case RowStatement::encloses: return any.meets(maybe_words);
     case RowStatement::until:
     case RowStatement::alone:
     case RowStatement::apart:
     case RowStatement::precedes:
-    case RowStatement::refused: return true;
+    case RowStatement::refused:
+    case RowStatement::left_on: return true;
     }
     return true;
 }

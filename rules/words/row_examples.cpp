@@ -6,6 +6,7 @@
 #include "rules/words/example_after.hpp"
 #include "rules/words/example_block.hpp"
 #include "rules/words/example_frames.hpp"
+#include "rules/words/example_preludes.hpp"
 #include "rules/words/row_text.hpp"
 #include "rules/words/word_list.hpp"
 
@@ -30,17 +31,20 @@ class ProgramWriter {
 
     [[nodiscard]] std::string program(bool kept) const {
         if (of_code_.is_of_address()) return start() + of_address(kept) + "\n" + end(section_);
-        if (row_.says == RowStatement::refused && row_.under.empty()) return in_section(kept);
-        std::string text = start();
-        if (row_.says == RowStatement::refused && !kept)
-            text += std::string(first_of(row_.under)) + std::string(frame_.straight) + "\n";
-        if (row_.says != RowStatement::refused && !row_.under.empty())
-            text += std::string(first_of(row_.under)) + "\n";
-        if (!row_.after.empty()) text += block_with(first_of(row_.after)).text() + "\n";
+        const bool names_switch = !row_.while_on.empty() || !row_.while_off.empty();
+        const bool stands_apart = names_switch || !row_.after.empty() || !row_.unless_after.empty();
+        if (row_.says == RowStatement::refused && row_.under.empty() && !stands_apart)
+            return in_section(kept);
+        SwitchedAround around = switched_around(of_code_, block_, {control_, frame_, section_}, kept);
+        std::string text = contour_named(kept) + start() + around.before;
+        if (!row_.under.empty() && (row_.says != RowStatement::refused || !kept))
+            text += switched_under(row_, {control_, frame_, section_}, around.after);
+        if (!row_.after.empty() && (row_.says != RowStatement::refused || !kept))
+            text += block_with(first_of(row_.after)).text() + "\n";
         text += kept ? block_.text_that_keeps(row_) : block_.text(&row_);
         if (row_.says == RowStatement::apart && !kept) text += " " + std::string(first_of(row_.others));
         text += "\n" + blocks_after(of_code_, block_, {control_, frame_, section_}, kept);
-        return text + end(section_);
+        return text + around.after + end(section_);
     }
 
   private:
@@ -61,13 +65,35 @@ class ProgramWriter {
         std::ranges::replace(name, '_', ' ');
         return name + "\n";
     }
+    /// What must be on counts in whole programs alone.
     [[nodiscard]] std::string start() const {
-        return section_.empty() ? std::string(frame_.head) : heading(section_);
+        const std::string head = row_.while_off.empty() ? "" : heading(frame_.first_section);
+        return section_.empty() ? std::string(frame_.head) : head + heading(section_);
     }
 
     [[nodiscard]] std::string end(std::string_view section) const {
         const bool has_main = section.empty() || section == frame_.main_section;
         return (has_main ? "" : heading(frame_.main_section)) + std::string(frame_.tail);
+    }
+
+    /// The contour whose block the words number.
+    [[nodiscard]] std::string contour_named(bool kept) const {
+        if (row_.says != RowStatement::names_none) return {};
+        const std::string_view code = first_of(kept ? row_.first_block : row_.others);
+        for (const CodePage* page : pages_of_code(of_code_.table->language, code)) {
+            const std::string_view section = first_of(page->sections());
+            if (section == frame_.main_section) continue;
+            const ExampleBlock block(control_, code, section);
+            const WordRow* order = block.order();
+            SwitchedAround around;
+            Preludes preludes({control_, frame_, section});
+            preludes.begin_contour(block, nullptr, around);
+            return heading(section) + around.before + "N10 " + block.text() + "\n" +
+                   (order == nullptr
+                        ? ""
+                        : ExampleBlock(control_, first_of(order->others), section).text() + "\n");
+        }
+        return {};
     }
 
     /// The code where it has no place, or in one of its own sections.
@@ -77,8 +103,14 @@ class ProgramWriter {
         const std::string_view section = first_of(pages.front()->sections());
         const ExampleBlock block(control_, code_of(of_code_), section);
         const WordRow* order = block.order();
-        std::string text = heading(section) + block.text() + "\n";
+        SwitchedAround around;
+        Preludes preludes({control_, frame_, section});
+        preludes.leave_reset(block, nullptr, around);
+        preludes.begin_contour(block, nullptr, around);
+        around.after = preludes.switched_off(block, nullptr, block.text());
+        std::string text = heading(section) + around.before + block.text() + "\n";
         if (order != nullptr) text += ExampleBlock(control_, first_of(order->others), section).text() + "\n";
+        text += around.after;
         return text + end(section);
     }
 

@@ -79,14 +79,16 @@ RowIndex::RowIndex(const ControlModel& control, std::string_view section, const 
     std::ranges::stable_sort(entries_, {}, &Entry::code);
 }
 
-std::vector<LetterCodes> RowIndex::codes_wanted(const Program& program, const PlainRun& run) const {
+std::vector<LetterCodes> RowIndex::codes_wanted(const Program& program, const PlainRun& run,
+                                                const std::function<bool(const WordRow&)>& idle) const {
     if (!run.words.codes.meets(codes_)) return {};
     if (run.beside_codes.count == 0) return all_codes_;
     std::vector<LetterCodes> wanted;
     for (const CodeWords& beside :
          std::span(program.code_words).subspan(run.beside_codes.first, run.beside_codes.count))
         for (const Entry& entry : by_kind_[beside.kind])
-            if (entry.can_be_wrong(beside.any, beside.all)) add_code(wanted, *entry.row);
+            if (entry.can_be_wrong(beside.any, beside.all) && !idle(*entry.row->row))
+                add_code(wanted, *entry.row);
     return wanted;
 }
 

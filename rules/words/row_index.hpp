@@ -8,6 +8,7 @@
 
 #include <array>
 #include <cstdint>
+#include <functional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -36,8 +37,10 @@ class RowIndex {
              std::span<const RuleRow* const> rows);
 
     [[nodiscard]] bool empty() const { return is_empty_; }
-    /// The codes whose rows can be wrong in one of the run's blocks.
-    [[nodiscard]] std::vector<LetterCodes> codes_wanted(const Program& program, const PlainRun& run) const;
+    /// The codes whose rows can be wrong in one of the run's blocks; those that are `idle` cannot.
+    [[nodiscard]] std::vector<LetterCodes>
+    codes_wanted(const Program& program, const PlainRun& run,
+                 const std::function<bool(const WordRow&)>& idle) const;
     /// Whether a row can be wrong in a block of which this is known.
     [[nodiscard]] bool wants_block(const WordSummary& block) const;
     /// The rows of the code that the word is; none where it is none.

@@ -1,6 +1,7 @@
 //! A row of the table of words and a block in which it holds: what the checks of rows look at.
 #pragma once
 
+#include "analyzer/machine/switched.hpp"
 #include "analyzer/queries/block_words.hpp"
 #include "analyzer/queries/modes_at.hpp"
 #include "rules/reporter.hpp"
@@ -25,6 +26,7 @@ struct RowOfBlock {
     /// The block does not name the code, which is in force: where that was set. `code` has the bytes of a
     /// word that goes on with it.
     const queries::Mode* goes_on = nullptr;
+    machine::Switched switched = {}; ///< the switch that the row names
 
     [[nodiscard]] const WordRow& row() const { return *of_code.row; }
     /// The first word of the block, other than the code, that has one of the addresses, with a value or

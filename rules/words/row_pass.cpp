@@ -2,14 +2,16 @@
 #include "rules/words/row_pass.hpp"
 
 #include "analyzer/program/tables.hpp"
+#include "analyzer/program/word_condition.hpp"
 #include "analyzer/queries/modes_at.hpp"
 #include "analyzer/queries/next_block.hpp"
 #include "analyzer/workspace/program_analysis.hpp"
-#include "rules/words/row_condition.hpp"
+#include "rules/words/row_switch.hpp"
 #include "rules/words/word_list.hpp"
 
 #include <algorithm>
 #include <iterator>
+#include <optional>
 #include <utility>
 #include <variant>
 
@@ -66,10 +68,6 @@ bool is_builtin(const queries::WordsOfBlock& block, const RowForCode& row) {
 
 } // namespace
 
-bool goes_on_in_blocks(const WordRow& row) {
-    return row.says == RowStatement::needs && !row.when.empty() && row.under.empty() && !row.kept;
-}
-
 RowPass::RowPass(std::span<const Rule* const> rules) {
     for (const Rule* rule : rules)
         if (std::holds_alternative<RowCheck>(rule->check)) reporters_.emplace(rule, Reporter(*rule));
@@ -95,11 +93,14 @@ void RowPass::look_at(const queries::WordsOfBlock& block, const RowIndex& index,
         return;
     if (!block.analysis.file().syntax_errors_in(code.span).empty()) return; // that is told: GO5 for G05
     if (row.kept && !is_first_of_its_kind(block, *entry.row)) return;
-    if (!holds_beside(block, code, row.when) || !holds_between(block, row)) return;
+    if (fits_beside(block.words, code, row.when) != Fits::yes || !holds_between(block, row)) return;
     std::string under = row.under.empty() ? std::string() : in_force(block, row);
     if (under.empty() && !row.under.empty()) return;
+    const auto switched = switched_as(block, row);
+    if (!switched) return;
     std::get<RowCheck>(reporter->first->check)
-        .check({block, index, *entry.rule_row, *entry.row, code, std::move(under)}, reporter->second);
+        .check({block, index, *entry.rule_row, *entry.row, code, std::move(under), nullptr, *switched},
+               reporter->second);
 }
 
 bool RowPass::look_at_arc(const queries::WordsOfBlock& block, const RowIndex& index, GroupId group,
@@ -110,7 +111,8 @@ bool RowPass::look_at_arc(const queries::WordsOfBlock& block, const RowIndex& in
     for (const RowIndex::Entry& entry : index.rows_at(code)) {
         const WordRow& row = *entry.row->row;
         const auto reporter = reporters_.find(entry.rule_row->rule);
-        if (reporter == reporters_.end() || !goes_on_in_blocks(row) || !holds_beside(block, code, row.when))
+        if (reporter == reporters_.end() || !goes_on_in_blocks(row) ||
+            fits_beside(block.words, code, row.when) != Fits::yes)
             continue;
         const auto axis =
             std::ranges::find(block.words, condition_of(words_of(row.when).front()).address, &Word::address);

@@ -11,7 +11,9 @@
 namespace maclint {
 
 /// Whether the row of an arc's code wants its words in each block that goes on with it: in one that moves.
-[[nodiscard]] bool goes_on_in_blocks(const WordRow& row);
+[[nodiscard]] inline bool goes_on_in_blocks(const WordRow& row) {
+    return row.says == RowStatement::needs && !row.when.empty() && row.under.empty() && !row.kept;
+}
 
 /// Good for one program.
 class RowPass {

@@ -46,8 +46,8 @@ bool holds_in(const RowForCode& code, const ControlModel& control, std::string_v
     const WordRow& row = *code.row;
     const std::string_view sections = row.sections.empty() ? table.sections : row.sections;
     if (section == unknown_section && !sections.empty())
-        return row.says != RowStatement::refused && row.unless_later.empty() &&
-               has_one_page(table.language, code);
+        return (row.says != RowStatement::refused || !row.while_on.empty() || !row.while_off.empty()) &&
+               row.unless_later.empty() && has_one_page(table.language, code);
     return stands_in(sections, section);
 }
 

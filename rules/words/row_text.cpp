@@ -3,6 +3,7 @@
 
 #include "rules/path.hpp"
 #include "rules/words/row_condition.hpp"
+#include "rules/words/row_switch.hpp"
 #include "rules/words/usual_effect.hpp"
 #include "rules/words/word_list.hpp"
 
@@ -59,9 +60,13 @@ std::string rule_in_words(const RowForCode& of_code) {
         return "The block after " + code + " holds " +
                (row.others.empty() ? "another code than " + either_of(row.words) : either_of(row.others)) +
                ": ";
-    case RowStatement::refused:
-        return code + " has no place " +
-               (row.sections.empty() ? "here" : "in " + sections_in_words(row.sections)) + ": ";
+    case RowStatement::refused: return code + " has no place " + place_without(row) + ": ";
+    case RowStatement::names_none:
+        return words + " of " + code + " numbers a block with " + either_of(row.first_block) + ", not with " +
+               either_of(row.others) + ": ";
+    case RowStatement::left_on:
+        return code + " switches on the " + std::string(row.while_on) + ", which is off again " +
+               (row.others.empty() ? "" : "at the next T and ") + "when the program ends: ";
     }
     return {};
 }
@@ -69,6 +74,7 @@ std::string rule_in_words(const RowForCode& of_code) {
 /// "Under G41 or G42, " in front of what holds only there.
 std::string condition_of(const WordRow& row) {
     std::string text = row.under.empty() ? "" : "Under " + either_of(row.under) + ": ";
+    text += switch_condition_of(row);
     if (!row.when.empty()) text += conditions_in_words(row.when) + ": ";
     if (!row.after.empty()) text += "After " + either_of(row.after) + ": ";
     if (!row.unless_next.empty())

@@ -2,6 +2,7 @@
 #include "rules/words/rule_row.hpp"
 
 #include "analyzer/dialect/ascii.hpp"
+#include "rules/words/row_switch.hpp"
 #include "rules/words/row_text.hpp"
 #include "rules/words/word_list.hpp"
 
@@ -20,6 +21,14 @@ std::string joined(std::string_view list, std::string_view separator) {
     return text;
 }
 
+/// "-WITHOUT-C-AXIS"; empty where the row names no switch.
+std::string switch_in_key(std::string_view begin, std::string_view name) {
+    if (name.empty()) return {};
+    std::string key = std::string(begin) + in_capitals(name);
+    std::ranges::replace(key, ' ', '-');
+    return key;
+}
+
 /// "G83" for the row's code, then ".Q" for its words and "-P" for those that they are held against; of codes
 /// beside which or before which it must not stand, the first.
 std::string key_of(const RowForCode& code) {
@@ -28,13 +37,15 @@ std::string key_of(const RowForCode& code) {
     std::string key = code_of(code);
     const bool must_not_precede = row.says == RowStatement::precedes && row.others.empty();
     const bool names_words = row.says != RowStatement::takes_only && row.says != RowStatement::refused &&
-                             row.says != RowStatement::precedes;
+                             row.says != RowStatement::precedes && row.says != RowStatement::left_on;
     if (!row.words.empty() && names_words) key += "." + joined(row.words, "+");
-    const TableText forbidden = row.says == RowStatement::apart      ? row.others
-                                : must_not_precede                   ? row.words
-                                : row.says == RowStatement::encloses ? row.words
-                                                                     : TableText();
-    if (!row.others.empty() && row.says != RowStatement::precedes && forbidden.empty())
+    const TableText forbidden = row.says == RowStatement::apart ? row.others
+                                : must_not_precede              ? row.words
+                                : row.says == RowStatement::encloses || row.says == RowStatement::names_none
+                                    ? row.words
+                                    : TableText();
+    if (!row.others.empty() && row.says != RowStatement::left_on && row.says != RowStatement::precedes &&
+        forbidden.empty())
         key += "-" + joined(row.others, "+");
     for (const TableText codes : {forbidden, row.under, row.after})
         if (!codes.empty()) key += "-" + std::string(words_of(codes).front());
@@ -42,7 +53,9 @@ std::string key_of(const RowForCode& code) {
         key += condition.starts_with('-') ? "-NO" + std::string(condition.substr(1))
                                           : "-" + std::string(condition);
     if (row.modulo != 0) key += "-REST";
-    std::erase_if(key, [](char c) { return std::string_view("=?!|").find(c) != std::string_view::npos; });
+    if (row.says != RowStatement::left_on) key += switch_in_key("-WHILE-", row.while_on);
+    key += switch_in_key("-WITHOUT-", first_switch_off(row));
+    std::erase_if(key, [](char c) { return std::string_view("=?!|<>").find(c) != std::string_view::npos; });
     return key;
 }
 

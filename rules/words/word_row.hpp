@@ -32,6 +32,7 @@ struct WordRow {
     /// Of blocks that the words enclose: codes that must not stand between.
     TableText others = {};
     TableText first_block = {}; ///< of those blocks: codes of which the first one holds one
+                                ///< of a block that they number: codes that it may hold
 
     /// Of a value, or of a number of words: the bounds and the values allowed. A word whose value is
     /// calculated is not looked at.
@@ -46,6 +47,9 @@ struct WordRow {
     /// force in the block, its own included.
     TableText sections = {};
     TableText under = {};
+    /// Only while the switch of the control with this name is surely on, or all that commas separate are off;
+    /// what the row says of the end of a program is of the first.
+    TableText while_on = {}, while_off = {};
     /// Only where the block's words are so, all of them: "A" stands there, "-A" does not, "A=1|2" has one of
     /// these values, "A!1|2" another one, "A?1|2" has one of them or is missing. A value that is calculated
     /// may be any: the row does not hold.

@@ -50,7 +50,7 @@ namespace {
 /// Whether one of the others stands there, with one of its values where the row names them: "O=1|2".
 bool may_have_partner(const RowOfBlock& block) {
     return std::ranges::any_of(words_of(block.row().others), [&](std::string_view other) {
-        const RowCondition wanted = condition_of(other);
+        const WordCondition wanted = condition_of(other);
         const Word* word = block.find(wanted.address);
         if (word == nullptr) return wanted.or_missing;
         return wanted.values.empty() || fits(*word, wanted.values) != Fits::no;

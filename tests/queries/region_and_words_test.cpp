@@ -6,6 +6,7 @@
 #include "analyzer/queries/region_faults.hpp"
 #include "analyzer/queries/sections.hpp"
 #include "analyzer/queries/sequence_numbers.hpp"
+#include "analyzer/queries/switches_at.hpp"
 #include "tests/support/analysed.hpp"
 
 #include <cstdint>
@@ -66,11 +67,13 @@ Standing standing_in(const std::string& blocks) {
     const Program& program = analysis.program();
     std::vector<Standing> all;
     ModesAt modes_at(analysis);
+    SwitchesAt switches_at(analysis);
     for_each_block_with_words(
         program, [](const WordSummary&) { return true; },
         [&](const BlockView& block, std::span<const Word> words, const WordSummary*) {
-            const WordsOfBlock one{analysis, block, words, has_modal_calls(program), program.sections.front(),
-                                   modes_at};
+            const WordsOfBlock one{
+                analysis, block,      words, has_modal_calls(program), program.sections.front(),
+                modes_at, switches_at};
             all.push_back({has_alternatives(one), may_call(one)});
         });
     return all.at(all.size() - 2);

@@ -78,6 +78,7 @@ ControlModel make() {
     control.repeatable = {"G", "M"};                  // l.10166, l.21017
     control.contradiction = Contradiction::forbidden; // l.10226
     control.exclusive_codes = exclusive_codes();
+    control.switches = switch_rows();
     control.references = {{"contour block", SectionKind::Role::contour, "l.10203, l.13166"}};
     return checked(std::move(control));
 }

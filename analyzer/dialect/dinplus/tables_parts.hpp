@@ -3,6 +3,7 @@
 
 #include "analyzer/program/tables.hpp"
 
+#include <span>
 #include <vector>
 
 namespace maclint::dinplus {
@@ -12,5 +13,6 @@ namespace maclint::dinplus {
 [[nodiscard]] std::vector<VariableFamily> variable_families();
 [[nodiscard]] std::vector<ModalGroup> modal_groups();
 [[nodiscard]] std::vector<ExclusiveCodes> exclusive_codes();
+[[nodiscard]] std::span<const Switch> switch_rows();
 
 } // namespace maclint::dinplus

@@ -7,6 +7,11 @@ namespace {
 using namespace book;
 using enum Severity;
 
+/// What may stand in a turning contour in front of an element.
+constexpr TableText elements =
+    "G0 G1 G2 G3 G12 G13 G10 G20 G21 G22 G23 G24 G25 G34 G37 G38 G39 G44 G49 G52 G95 G149";
+constexpr TableText turned = "BLANK FINISHED AUXIL_BLANK AUXIL_CONTOUR";
+
 // clang-format off
 // BD is printed with 901 to 916; 900 (off) stands in an example (11399), as with G149.
 constexpr BookLine lines[] = {
@@ -25,6 +30,7 @@ constexpr BookLine lines[] = {
         word("W", 10564, "polar angle of the start point"),
         needs("X Z PZ W", 10557, "start point", "the contour begins nowhere"),
         not_before("G22 G23 G25 G34 G37", 10557, "it lies on an element, and the contour has none yet").also("DIN211"),
+        value("X", ">=0", 10182, "a contour does not cross the turning centre").with(&WordRow::sections, turned).as(error).also("DIN208"),
     code("G1", 10594, "line of the turning contour").also_before("G80"),
         word("X", 10600, "end point in X").without("previous value"),
         word("Z", 10601, "end point in Z").without("previous value"),
@@ -52,6 +58,8 @@ constexpr BookLine lines[] = {
         excludes("A", "AN", 10869, "both are the angle of the line"),
         excludes("B", "BR", 12410, "both are the chamfer or rounding to the next element"),
         excludes("E", "BE", 12410, "both are the feed factor"),
+        refused(10557, "a contour begins with G0").unless_after(elements).with(&WordRow::sections, turned).as(error).also("DIN201"),
+        value("X", ">=0", 10182, "a contour does not cross the turning centre").with(&WordRow::sections, turned).as(error).also("DIN208"),
     code("G2", 10651, "clockwise arc of the turning contour").also_before("G80"),
         word("X", 10662, "end point in X").without("previous value"),
         word("Z", 10663, "end point in Z").without("previous value"),
@@ -72,6 +80,8 @@ constexpr BookLine lines[] = {
         excludes("B", "BR", 12410, "both are the chamfer or rounding to the next element"),
         excludes("E", "BE", 12410, "both are the feed factor"),
         not_before("G22 G23 G34 G37", 10822, "it lies on a straight element").also("DIN211"), // also 10772, 11073, 11142
+        refused(10557, "a contour begins with G0").unless_after(elements).with(&WordRow::sections, turned).as(error).also("DIN201"),
+        value("X", ">=0", 10182, "a contour does not cross the turning centre").with(&WordRow::sections, turned).as(error).also("DIN208"),
     code("G3", 10651, "counter-clockwise arc of the turning contour").also_before("G80"),
         word("X", 10662, "end point in X").without("previous value"),
         word("Z", 10663, "end point in Z").without("previous value"),
@@ -92,6 +102,8 @@ constexpr BookLine lines[] = {
         excludes("B", "BR", 12410, "both are the chamfer or rounding to the next element"),
         excludes("E", "BE", 12410, "both are the feed factor"),
         not_before("G22 G23 G34 G37", 10822, "it lies on a straight element").also("DIN211"), // also 10772, 11073, 11142
+        refused(10557, "a contour begins with G0").unless_after(elements).with(&WordRow::sections, turned).as(error).also("DIN201"),
+        value("X", ">=0", 10182, "a contour does not cross the turning centre").with(&WordRow::sections, turned).as(error).also("DIN208"),
     code("G12", 10705, "clockwise arc with an absolute centre").also_before("G80"),
         word("X", 10716, "end point in X").without("previous value"),
         word("Z", 10717, "end point in Z").without("previous value"),
@@ -114,6 +126,8 @@ constexpr BookLine lines[] = {
         word("BH", 10588, "kind of oversize: 0 absolute, 1 added", "0 1"),
         needs("X Z R I K PZ W PM WM AR AN", 10716, "end point, radius or centre", "the arc has no shape"),
         not_before("G22 G23 G34 G37", 10822, "it lies on a straight element").also("DIN211"), // also 10772, 11073, 11142
+        refused(10557, "a contour begins with G0").unless_after(elements).with(&WordRow::sections, turned).as(error).also("DIN201"),
+        value("X", ">=0", 10182, "a contour does not cross the turning centre").with(&WordRow::sections, turned).as(error).also("DIN208"),
     code("G13", 10705, "counter-clockwise arc with an absolute centre").also_before("G80"),
         word("X", 10716, "end point in X").without("previous value"),
         word("Z", 10717, "end point in Z").without("previous value"),
@@ -136,6 +150,8 @@ constexpr BookLine lines[] = {
         word("BH", 10588, "kind of oversize: 0 absolute, 1 added", "0 1"),
         needs("X Z R I K PZ W PM WM AR AN", 10716, "end point, radius or centre", "the arc has no shape"),
         not_before("G22 G23 G34 G37", 10822, "it lies on a straight element").also("DIN211"), // also 10772, 11073, 11142
+        refused(10557, "a contour begins with G0").unless_after(elements).with(&WordRow::sections, turned).as(error).also("DIN201"),
+        value("X", ">=0", 10182, "a contour does not cross the turning centre").with(&WordRow::sections, turned).as(error).also("DIN208"),
     code("G22", 10770, "recess on an element parallel to an axis").also_before("G80"),
         word("X", 10776, "start point of a recess in a face"),
         word("Z", 10777, "start point of a recess in a diameter"),
@@ -243,8 +259,10 @@ constexpr BookLine lines[] = {
     code("G10", 11236, "roughness of the elements").also_before("G80"),
         word("H", 11242, "kind of roughness: 1 Rt, 2 Ra, 3 Rz", "1 2 3"),
         word("RH", 11246, "roughness"),
+        left_on("surface finish of a contour", 11231, "it goes on for all later elements").when("RH").also("DIN220"),
     code("G38", 11255, "feed factor of the elements").also_before("G80"),
         word("E", 11261, "feed factor").without("1"),
+        left_on("feed factor of a contour", 11231, "it goes on for all later elements").when("E").also("DIN220"),
     code("G39", 11271, "attributes of the next form element").also_before("G80"),
         word("F", 11288, "feed per revolution"),
         word("V", 11289, "kind of roughness: 1 Rt, 2 Ra, 3 Rz", "1 2 3"),
@@ -263,8 +281,10 @@ constexpr BookLine lines[] = {
         word("P", 11326, "oversize"),
         word("H", 11327, "kind of oversize: 0 absolute, 1 added", "0 1").without("0"),
         only_with("H", "P", 11327, "it says how an oversize counts"),
+        left_on("oversize of a contour", 11231, "it goes on for all later elements").when("P!0").also("DIN220"),
     code("G95", 11336, "finishing feed of the elements").also_before("G80"),
         word("F", 11342, "feed per revolution"),
+        left_on("finishing feed of a contour", 11231, "it goes on for all later elements").when("F").also("DIN220"),
     code("G149", 11368, "additive compensation of the elements").also_before("G80"),
         word("D", 11376, "additive compensation: 900 off", "900..916").without("900").or_else("there is no such compensation").as(error).also("DIN624"),
     code("G308", 11447, "start of a pocket or island", "FACE_C REAR_C LATERAL_C FACE_Y REAR_Y LATERAL_Y"),

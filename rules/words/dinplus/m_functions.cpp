@@ -5,6 +5,7 @@ namespace maclint::code_books {
 namespace {
 
 using namespace book;
+using enum Severity;
 
 constexpr TableText not_described = "the manual names it without saying what it takes";
 
@@ -13,13 +14,19 @@ constexpr BookLine lines[] = {
     code("M0", 20013, "program stop"),
     code("M1", 20014, "optional stop"),
     code("M3", 20039, "main spindle on, clockwise"),
+        refused(20045, "a spindle that is a C axis does not turn").while_on("C axis").also("DIN653"),
+        refused(10346, "no speed has been given").when("-S").while_off("speed").also("DIN606"),
     code("M4", 20040, "main spindle on, counterclockwise"),
+        refused(20045, "a spindle that is a C axis does not turn").while_on("C axis").also("DIN653"),
+        refused(10346, "no speed has been given").when("-S").while_off("speed").also("DIN606"),
     code("M5", 20041, "main spindle off"),
     code("M8", 1863, "coolant circuit 1 on"),
     code("M9", 1880, "all coolant circuits off"),
     code("M12", 20042, "brake of the main spindle closed"),
     code("M13", 20043, "brake of the main spindle open"),
     code("M14", 20044, "C axis on"),
+        left_on("C axis", 20045, "the next program turns no spindle").also("DIN653"),
+        refused(18567, "there is no C axis in HDT mode").while_on("HDT mode").as(error).also("DIN915"),
     code("M15", 20045, "C axis off"),
     code("M18", 20015, "counting pulse"),
     code("M19", 20046, "spindle stop at an angle"),

@@ -415,17 +415,22 @@ constexpr BookLine lines[] = {
     code("G788", 22250, "compensation of alignment after measuring an angle"),
         word("NF", 22256, "number of the first variable for the results").without("810"),
         word("P", 22258, "compensation: 0 off, 1 on", "0 1").in_examples(),
+        refused(22252, "it takes the angle that G787 measures").while_off("measured angle").as(error).also("DIN931"),
     code("G910", 22275, "measuring on"),
         word("V", 22281, "0 touch probe for parts, 1 tool probe", "0 1").in_examples(),
         word("D", 22284, "number of the axis").in_examples(),
+        left_on("measuring", 22342, "the probe stays active").also("DIN929"),
     code("G911", 22307, "monitoring of the measuring move on"),
         word("V", 22313, "after the touch: 0 axes stay, 1 axes go back", "0 1").in_examples(),
         word("R", 22316, "way back"),
         precedes("G1 G2 G3 G12 G13 G101 G102 G103 G111 G112 G113 G914", 22309, "one feed move is allowed while it monitors").also("DIN928"),
     code("G912", 22318, "taking over of the measured position"),
         word("Q", 22324, "errors: 0 left to the program, 1 stop", "0 1").in_examples(),
+        refused(22318, "the probe is chosen by G910 before").while_off("measuring").as(error).also("DIN929"),
     code("G913", 22340, "measuring off"),
+        refused(22340, "the probe is chosen by G910 before").while_off("measuring").as(error).also("DIN929"),
     code("G914", 22344, "monitoring of the measuring move off"),
+        refused(22344, "there is nothing to switch off").while_off("monitoring of the measuring move").also("DIN929"),
 };
 // clang-format on
 

@@ -1,0 +1,42 @@
+//! Turning contours, and moves in the same plane, as far as the numbers stand in the text.
+#pragma once
+
+#include "analyzer/program/model.hpp"
+
+#include <optional>
+#include <vector>
+
+namespace maclint::queries {
+
+/// In mm or inches, as the program has them; `x` is a radius.
+struct OutlinePoint {
+    double x, z;
+};
+
+/// A straight line or an arc.
+struct OutlineElement {
+    Span block = {};
+    Span code = {}; ///< of its G word; empty where the block goes on with the code before
+    bool is_arc = false;
+    std::optional<OutlinePoint> from, to; ///< nothing: nobody can say
+    std::optional<OutlinePoint> centre;
+    std::optional<double> radius;
+    std::optional<double> corner; ///< to the next element: a chamfer below 0, a rounding above
+    Span corner_span = {};
+};
+
+/// Elements of a contour in a row, each from where the one before ends; of moves the arcs.
+struct Outline {
+    const Section* section = nullptr;
+    bool describes = false; ///< a contour, and not moves of the tool
+    std::vector<OutlineElement> elements;
+};
+
+/// Those of a program whose control turns: one for each contour.
+[[nodiscard]] std::vector<Outline> turning_contours(const Program& program);
+/// Those contours, and the moves of each section that runs.
+[[nodiscard]] std::vector<Outline> turning_contours_and_moves(const Program& program);
+
+[[nodiscard]] double distance(const OutlinePoint& a, const OutlinePoint& b);
+
+} // namespace maclint::queries

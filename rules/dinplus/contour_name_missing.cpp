@@ -1,0 +1,94 @@
+//! DIN205: a cycle asks for a contour by a name that no contour has.
+#include "analyzer/queries/contour_names.hpp"
+#include "rules/path.hpp"
+#include "rules/rule.hpp"
+
+#include <algorithm>
+#include <string>
+
+namespace maclint::rules {
+
+namespace {
+void check(const ProgramFile& file, Reporter& reporter);
+}
+
+extern const Rule contour_name_missing{
+    .code = "DIN205",
+    .name = "aux-contour-id",
+    .aliases = "DIN206",
+    .summary = "A cycle asks for a contour by a name that no contour of the program has",
+    .why = "The cycle does not find its contour, and the control stops with an error when it gets there.",
+    .severity = Severity::error,
+    .precision = Precision::high,
+    .needs = {Capability::sections},
+    .messages = {{"missing", "Missing contour: {1} asks for \"{0}\", and no contour has that name.",
+                  "Correct the name, or describe the contour."},
+                 {"near", "Missing contour: {1} asks for \"{0}\", and the contour is named \"{2}\".",
+                  "Write the name as the contour has it."}},
+    .bad = {{"dinplus", R"nc(
+FINISHED
+N1 G0 X60 Z0
+N2 G1 Z-40
+AUXIL_CONTOUR ID"SEAT"
+N3 G0 X60 Z-10
+N4 G1 X50
+MACHINING
+N10 T1
+N11 G810 ID"GROOVE" P2
+N12 M30
+END
+)nc"},
+            {"dinplus", R"nc(
+FINISHED
+N1 G0 X60 Z0
+N2 G1 Z-40
+AUXIL_CONTOUR ID"SEAT 1"
+N3 G0 X60 Z-10
+N4 G1 X50
+MACHINING
+N10 T1
+N11 G810 ID"Seat1" P2
+N12 M30
+END
+)nc"}},
+    .good = {{"dinplus", R"nc(
+FINISHED
+N1 G0 X60 Z0
+N2 G1 Z-40
+AUXIL_CONTOUR ID"SEAT"
+N3 G0 X60 Z-10
+N4 G1 X50
+MACHINING
+N10 T1
+N11 G810 ID"SEAT" P2
+N12 M30
+END
+)nc"}},
+    .sources = {"SEED-003:10196", "SEED-003:13092"},
+    .check = &check,
+};
+
+namespace {
+
+void check(const ProgramFile& file, Reporter& reporter) {
+    const queries::ContourNames names = queries::contour_names(file);
+    // A program that describes no contour may be a part of one that does.
+    if (!names.is_complete || names.described.empty()) return;
+    for (const queries::ContourName& wanted : names.wanted) {
+        if (std::ranges::find(names.described, wanted.name, &queries::ContourName::name) !=
+            names.described.end())
+            continue;
+        const auto near = std::ranges::find_if(names.described, [&](const queries::ContourName& one) {
+            return queries::squeezed(one.name) == queries::squeezed(wanted.name);
+        });
+        if (near == names.described.end())
+            reporter.report({file, wanted.span}, wanted.span, "missing",
+                            {std::string(wanted.name), std::string(wanted.code)});
+        else
+            reporter.report({file, wanted.span}, wanted.span, "near",
+                            {std::string(wanted.name), std::string(wanted.code), std::string(near->name)});
+    }
+}
+
+} // namespace
+} // namespace maclint::rules
