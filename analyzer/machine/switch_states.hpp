@@ -58,9 +58,9 @@ class SwitchesOfChannel {
     [[nodiscard]] const SwitchState& left() const { return left_; }
     [[nodiscard]] const SwitchState& before(flow::NodeId node) const { return before_[node]; }
     /// The blocks of the node that begin in the part, calls left out.
-    void run_part(flow::NodeId node, Span part, SwitchState& state) const;
+    void run_part(flow::NodeId id, Span part, SwitchState& state) const;
     /// All of the node, its calls included.
-    void run(flow::NodeId node, SwitchState& state) const;
+    void run(flow::NodeId id, SwitchState& state) const;
 
   private:
     void run_calls(const flow::Node& node, SwitchState& state) const;
