@@ -34,13 +34,21 @@ const dataflow::Liveness& ProgramAnalysis::liveness() const {
     });
 }
 
+const ProgramAnalysis* ProgramAnalysis::followed(const CallSite* site) const {
+    // Controls take some ten levels. Each level of calls is one of the C++ stack, too.
+    constexpr int most_levels = 100;
+    if (site == nullptr || !site->target || site->in_cycle) return nullptr;
+    const ProgramAnalysis& called = workspace_->programs()[*site->target];
+    return called.depth_.macro + called.depth_.subprogram <= most_levels ? &called : nullptr;
+}
+
 const machine::States& ProgramAnalysis::machine() const {
     return *machine_.get([this] {
         return std::make_unique<const machine::States>(
             *program_, graph_, [this](EffectId call) -> const machine::Left* {
                 const CallSite* site = call_at(call);
-                if (site == nullptr || !site->target || site->in_cycle) return nullptr;
-                return &workspace_->programs()[*site->target].machine().left();
+                const ProgramAnalysis* called = followed(site);
+                return called == nullptr ? nullptr : &called->machine().left();
             });
     });
 }
@@ -50,8 +58,8 @@ const machine::SwitchStates& ProgramAnalysis::switches() const {
         return std::make_unique<const machine::SwitchStates>(
             *program_, graph_, [this](EffectId call, std::uint8_t channel) -> const machine::SwitchState* {
                 const CallSite* site = call_at(call);
-                if (site == nullptr || !site->target || site->in_cycle) return nullptr;
-                const auto* called = workspace_->programs()[*site->target].switches().of(channel);
+                const ProgramAnalysis* program = followed(site);
+                const auto* called = program == nullptr ? nullptr : program->switches().of(channel);
                 return called == nullptr ? nullptr : &called->left();
             });
     });

@@ -135,6 +135,9 @@ class ProgramAnalysis {
   private:
     friend class Workspace;
     friend class WorkspaceBuilder;
+    /// The program whose states the call's caller takes over; nullptr: they are unknown.
+    [[nodiscard]] const ProgramAnalysis* followed(const CallSite* site) const;
+
     const Workspace* workspace_;
     ProgramIndex index_;
     const WorkspaceFile* file_;
