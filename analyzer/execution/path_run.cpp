@@ -274,7 +274,7 @@ PathRun::Point PathRun::change(const Changes& changes, Point point) {
     if (!changes.machine) return point;
     point.time = {changes.at, changes.at};
     for (std::size_t i = 0; i < program_.control->groups.size(); ++i)
-        dataflow::for_each_channel(graph_.all_channels, [&](std::uint8_t channel) {
+        for_each_channel(graph_.all_channels, [&](std::uint8_t channel) {
             const auto group = static_cast<GroupId>(i);
             dataflow::ModalValue value = states_.read(point.state, dataflow::ChannelGroup{channel, group});
             value.unknown = true;
@@ -345,7 +345,7 @@ std::uint64_t PathRun::fingerprint(const Point& point, std::span<const Variable>
         print = dataflow::mix(print, see(states_.table().values[value].symbol, place));
     }
     for (const GroupId group : asked_groups_)
-        dataflow::for_each_channel(graph_.all_channels, [&](std::uint8_t channel) {
+        for_each_channel(graph_.all_channels, [&](std::uint8_t channel) {
             const dataflow::ModalValue& value =
                 states_.read(point.state, dataflow::ChannelGroup{channel, group});
             for (const dataflow::ModalPart& part : value.parts) {

@@ -2,11 +2,12 @@
 #include "analyzer/machine/switch_states.hpp"
 
 #include "analyzer/flow/solve.hpp"
+#include "analyzer/program/channels.hpp"
+#include "analyzer/program/code_key.hpp"
 #include "analyzer/program/word_condition.hpp"
 
 #include <algorithm>
 #include <charconv>
-#include <cmath>
 #include <variant>
 
 namespace maclint::machine {
@@ -14,12 +15,6 @@ namespace {
 
 /// A state of a node has some 800 bytes.
 constexpr std::size_t most_nodes = 20'000;
-
-std::int64_t code_of(char letter, double code) {
-    constexpr double decimals = 1000;
-    constexpr std::int64_t letters = 256;
-    return std::llround(code * decimals) * letters + static_cast<unsigned char>(letter);
-}
 
 /// Any number of the letter.
 std::int64_t any_code_of(char letter) { return -static_cast<std::int64_t>(letter); }
@@ -104,7 +99,7 @@ void SwitchStepper::add(std::size_t of, std::string_view codes, std::uint8_t mak
         const std::string_view when = end < code.size() ? code.substr(end + 1) : std::string_view{};
         const std::string_view but = code.substr(1).starts_with('!') ? code.substr(2, end - 2) : "";
         actions_.push_back(
-            {any ? any_code_of(code.front()) : code_of(code.front(), number), but, when, of, makes});
+            {any ? any_code_of(code.front()) : code_key(code.front(), number), but, when, of, makes});
         auto letter = std::ranges::find(letters_, code.front(), &LetterCodes::letter);
         if (letter == letters_.end()) letter = letters_.insert(letter, {code.front(), {}});
         for (int each = 0; any && each < static_cast<int>(CodeNumbers::capacity); ++each)
@@ -128,7 +123,7 @@ void SwitchStepper::run(const BlockView& block, std::span<const Word> words, Swi
         if (word.address.size() != 1) continue;
         act(word, any_code_of(word.address.front()));
         if (const auto* number = std::get_if<Literal>(&word.value))
-            act(word, code_of(word.address.front(), number->value));
+            act(word, code_key(word.address.front(), number->value));
     }
 }
 
@@ -197,23 +192,16 @@ SwitchStates::SwitchStates(const Program& program, const flow::Graph& graph,
                            const SwitchesLeftByCall& left_by_call)
     : stepper_(*program.control, false) {
     if (program.control->switches.empty() || graph.nodes.empty() || graph.nodes.size() > most_nodes) return;
-    for (const std::uint8_t channel : numbers_of(program.channels))
+    for_each_channel(graph.all_channels, [&](std::uint8_t channel) {
         channels_.emplace_back(std::piecewise_construct, std::forward_as_tuple(channel),
                                std::forward_as_tuple(program, graph, stepper_, channel, left_by_call));
+    });
 }
 
 const SwitchesOfChannel* SwitchStates::of(std::uint8_t channel) const {
     for (const auto& [number, switches] : channels_)
         if (number == channel || channels_.size() == 1) return &switches;
     return nullptr;
-}
-
-std::vector<std::uint8_t> numbers_of(Channels channels) {
-    std::vector<std::uint8_t> numbers;
-    for (std::uint8_t number = 0; channels >> number != 0; ++number)
-        if ((channels >> number & 1U) != 0) numbers.push_back(number);
-    if (numbers.empty()) numbers.push_back(0);
-    return numbers;
 }
 
 } // namespace maclint::machine

@@ -90,7 +90,4 @@ class SwitchStates {
     std::vector<std::pair<std::uint8_t, SwitchesOfChannel>> channels_;
 };
 
-/// The channels of a program as numbers; 0 alone where it names none.
-[[nodiscard]] std::vector<std::uint8_t> numbers_of(Channels channels);
-
 } // namespace maclint::machine

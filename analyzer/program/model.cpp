@@ -40,6 +40,11 @@ ControlModel checked(ControlModel control) {
                                std::to_string(control.spaces.size()) +
                                " spaces of variables, and the analysis has room for " +
                                std::to_string(most_spaces) + ": raise most_spaces");
+    if (control.switches.size() > most_switches)
+        throw std::logic_error("the control '" + control.name + "' has " +
+                               std::to_string(control.switches.size()) +
+                               " switches, and the analysis has room for " + std::to_string(most_switches) +
+                               ": raise most_switches");
     control.ended_groups.clear();
     for (std::size_t group = 0; group < control.groups.size(); ++group) {
         const ModalGroup& row = control.groups[group];

@@ -1,6 +1,10 @@
 //! Looks a number up, and reads its block.
 #include "analyzer/queries/contour_blocks.hpp"
 
+#include "analyzer/program/item_at.hpp"
+
+#include <algorithm>
+
 namespace maclint::queries {
 
 std::optional<NumberedBlock> find_contour_block(const ProgramFile& file, std::int64_t number) {
@@ -16,15 +20,8 @@ std::optional<NumberedBlock> find_contour_block(const ProgramFile& file, std::in
 void read_block(const NumberedBlock& block,
                 const std::function<void(const BlockView&, std::span<const Word>)>& visit) {
     const Program& program = *block.program;
-    ItemId first = 0;
-    auto last = static_cast<ItemId>(program.items.size());
-    while (first < last) {
-        const ItemId middle = first + (last - first) / 2;
-        if (program.span_of(middle).end <= block.number_span.begin)
-            first = middle + 1;
-        else
-            last = middle;
-    }
+    const Slice all{0, static_cast<Id>(program.items.size())};
+    const ItemId first = item_at(program, all, block.number_span.begin);
     if (first == program.items.size()) return;
     const Span item = program.span_of(first);
     const std::size_t line_end = program.text.find_first_of("\r\n", block.number_span.begin);

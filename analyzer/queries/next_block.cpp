@@ -1,6 +1,7 @@
 //! Reads on from a block.
 #include "analyzer/queries/next_block.hpp"
 
+#include "analyzer/program/item_at.hpp"
 #include "analyzer/program/lines_with.hpp"
 #include "analyzer/workspace/program_analysis.hpp"
 
@@ -68,19 +69,6 @@ struct Search {
     }
 };
 
-ItemId item_at(const Program& program, Slice items, Offset place) {
-    ItemId first = items.first;
-    ItemId last = items.first + items.count;
-    while (first < last) {
-        const ItemId middle = first + (last - first) / 2;
-        if (program.span_of(middle).end <= place)
-            first = middle + 1;
-        else
-            last = middle;
-    }
-    return first;
-}
-
 /// Where the line begins that many lines after the place, or the text ends.
 Offset lines_on(std::string_view text, Offset place, int lines) {
     std::size_t at = place;
@@ -143,7 +131,7 @@ std::optional<std::vector<Word>> last_block_with(const WordsOfBlock& block, char
     const Slice items = block.section.items;
     const Offset first = items.count == 0 ? place : program.span_of(items.first).begin;
     std::optional<std::vector<Word>> found;
-    for (int lines = most_blocks; !found && lines <= most_later_lines; lines *= 2) {
+    for (int lines = most_blocks; !found; lines *= 2) {
         const Offset begin = lines_back(program.text, place, lines);
         for_each_block_in(
             block, {begin, place}, [] { return true; },

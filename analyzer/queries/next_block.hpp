@@ -14,8 +14,8 @@ namespace maclint::queries {
 /// with none between that does more than set modal codes. Nothing: there is none, or nobody knows.
 [[nodiscard]] std::optional<std::vector<Word>> next_block_with(const WordsOfBlock& block, char letter);
 
-/// The words of the last block before this one in the text that holds a word with this letter: some hundred
-/// lines back at most, in the same section; a word without a value where a call may have run others. Nothing:
+/// The words of the last block before this one in the text that holds a word with this letter, in the same
+/// section; a word without a value where a call may have run others. Nothing:
 /// there is none.
 [[nodiscard]] std::optional<std::vector<Word>> last_block_with(const WordsOfBlock& block, char letter);
 

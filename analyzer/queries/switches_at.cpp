@@ -1,6 +1,7 @@
 //! Reads the switches of a node, and asks the callers what they leave.
 #include "analyzer/queries/switches_at.hpp"
 
+#include "analyzer/program/channels.hpp"
 #include "analyzer/program/tables.hpp"
 #include "analyzer/program/word_condition.hpp"
 #include "analyzer/queries/callers.hpp"
@@ -8,13 +9,13 @@
 
 #include <algorithm>
 #include <charconv>
+#include <variant>
 
 namespace maclint::queries {
 namespace {
 
 using machine::Switched;
 
-constexpr int most_calls = 8;            ///< one within the other
 constexpr std::size_t most_callers = 50; ///< of one program
 
 void add(Switched& all, const Switched& more) {
@@ -25,61 +26,10 @@ void add(Switched& all, const Switched& more) {
 
 Switched unknown() { return {Switched::unknown, Switched::nowhere, Switched::nowhere}; }
 
-Switched resolved(const ProgramAnalysis& analysis, std::uint8_t channel, Switched here, std::size_t of,
-                  int calls);
-
-/// What the caller leaves in front of the call.
-Switched at_call(const ProgramAnalysis& calling, EffectId call, std::uint8_t channel, std::size_t of,
-                 int calls) {
-    const auto* switches = calling.switches().of(channel);
-    const auto node = calling.graph().node_of(call);
-    if (switches == nullptr || !node) return unknown();
-    machine::SwitchState state = switches->before(*node);
-    if (!state.is_reached) return {};
-    switches->run_part(*node, {0, Switched::nowhere}, state);
-    return resolved(calling, channel, state.all[of], of, calls + 1);
-}
-
-/// With what the callers leave in place of what nobody has switched since the program began. Blocks in other
-/// programs are no places in this one.
-Switched resolved(const ProgramAnalysis& analysis, std::uint8_t channel, Switched here, std::size_t of,
-                  int calls) {
-    if ((here.can_be & Switched::callers) == 0) return here;
-    here.can_be = static_cast<std::uint8_t>(here.can_be & ~unsigned{Switched::callers});
-    Switched before;
-    if (analysis.is_main())
-        // A program without a head, or a list of tools, may be a part of one.
-        before.can_be = has_section(analysis.program(), SectionKind::Role::information) ? Switched::off
-                                                                                        : Switched::unknown;
-    else if (calls >= most_calls || analysis.callers().empty() || analysis.callers().size() > most_callers ||
-             analysis.has_possible_callers() || analysis.is_recursive())
-        before = unknown();
-    else
-        for (const Caller& caller : analysis.callers())
-            add(before, at_call(calling_program(analysis, caller), caller.effect, channel, of, calls));
-    before.on_at = before.off_at = Switched::nowhere;
-    add(here, before);
-    return here;
-}
-
 /// Whether channels share the switch, and nobody knows who is first.
 bool is_shared(const ProgramAnalysis& analysis, std::size_t of) {
     return analysis.program().has_several_channels() &&
            analysis.control().switches[of].where == Switch::Where::machine;
-}
-
-Switched switched_at(const ProgramAnalysis& analysis, flow::NodeId node, std::size_t of, bool after) {
-    if (is_shared(analysis, of)) return unknown();
-    Switched all;
-    for (const std::uint8_t channel : machine::numbers_of(analysis.graph().channels_at(node).running)) {
-        const auto* switches = analysis.switches().of(channel);
-        if (switches == nullptr) return unknown();
-        machine::SwitchState state = switches->before(node);
-        if (!state.is_reached) continue;
-        if (after) switches->run(node, state);
-        add(all, resolved(analysis, channel, state.all[of], of, 0));
-    }
-    return all;
 }
 
 /// Whether a code that acts on the switch may stand in the run.
@@ -126,6 +76,12 @@ void run_section(const Program& program, const Section& section, const machine::
     }
 }
 
+/// Whether a job is over there: not a part of one that a caller goes on with.
+bool ends_job(const ProgramAnalysis& analysis, const flow::Exit& exit) {
+    return exit.kind == flow::ExitKind::ends || exit.kind == flow::ExitKind::restarts ||
+           (exit.kind == flow::ExitKind::runs_off && analysis.is_main());
+}
+
 } // namespace
 
 std::optional<std::size_t> find_switch(const ControlModel& control, std::string_view name) {
@@ -137,6 +93,47 @@ std::optional<std::size_t> find_switch(const ControlModel& control, std::string_
 SwitchesAt::SwitchesAt(const ProgramAnalysis& analysis)
     : analysis_(analysis) {}
 
+/// With what the callers leave in place of what nobody has switched since the program began.
+Switched SwitchesAt::resolved(const ProgramAnalysis& analysis, std::uint8_t channel, Switched here,
+                              std::size_t of) {
+    if ((here.can_be & Switched::callers) == 0) return here;
+    here.can_be = static_cast<std::uint8_t>(here.can_be & ~unsigned{Switched::callers});
+    add(here, at_entry(analysis, channel, of));
+    return here;
+}
+
+/// What the program begins with. Blocks of its callers are no places in it.
+Switched SwitchesAt::at_entry(const ProgramAnalysis& analysis, std::uint8_t channel, std::size_t of) {
+    const Entry entry{analysis.index(), channel, of};
+    if (const auto known = entries_.find(entry); known != entries_.end()) return known->second;
+    Switched begins;
+    if (analysis.is_main()) {
+        // A program without a head, or a list of tools, may be a part of one.
+        begins.can_be = has_section(analysis.program(), SectionKind::Role::information) ? Switched::off
+                                                                                        : Switched::unknown;
+    } else if (analysis.callers().empty() || analysis.callers().size() > most_callers ||
+               analysis.has_possible_callers() || analysis.is_recursive() || analysis.is_too_deep()) {
+        begins = unknown();
+    } else {
+        for (const Caller& caller : analysis.callers())
+            add(begins, at_call(calling_program(analysis, caller), caller.effect, channel, of));
+    }
+    begins.on_at = begins.off_at = Switched::nowhere;
+    return entries_[entry] = begins;
+}
+
+/// What the caller leaves in front of the call.
+Switched SwitchesAt::at_call(const ProgramAnalysis& calling, EffectId call, std::uint8_t channel,
+                             std::size_t of) {
+    const auto* switches = calling.switches().of(channel);
+    const auto node = calling.graph().node_of(call);
+    if (switches == nullptr || !node) return unknown();
+    machine::SwitchState state = switches->before(*node);
+    if (!state.is_reached) return {};
+    switches->run_part(*node, {0, Switched::nowhere}, state);
+    return resolved(calling, channel, state.all[of], of);
+}
+
 const machine::SwitchState& SwitchesAt::state_at(std::uint8_t channel, flow::NodeId node, Offset place) {
     if (cursors_.size() <= channel) cursors_.resize(std::size_t{channel} + 1U);
     Cursor& cursor = cursors_[channel];
@@ -147,9 +144,8 @@ const machine::SwitchState& SwitchesAt::state_at(std::uint8_t channel, flow::Nod
     return cursor.state;
 }
 
-const machine::SwitchState& SwitchesAt::state_in(const Section& section, Offset place) {
+const machine::SwitchState& SwitchesAt::state_in(const Section& section, Offset place, Cursor& cursor) {
     if (!of_sections_) of_sections_.emplace(analysis_.control(), true);
-    Cursor& cursor = in_section_;
     if (cursor.section.first != section.items.first || cursor.place > place)
         cursor = {std::nullopt, section.items, 0, at_begin_of_section(analysis_.control())};
     run_section(analysis_.program(), section, *of_sections_, {cursor.place, place}, cursor.state);
@@ -160,18 +156,20 @@ const machine::SwitchState& SwitchesAt::state_in(const Section& section, Offset 
 Switched SwitchesAt::before(const BlockView& block, const Section& section, std::size_t of) {
     if (analysis_.control().switches[of].where == Switch::Where::section)
         return section.executed != Section::Executed::when_reached
-                   ? state_in(section, block.span.begin).all[of]
+                   ? state_in(section, block.span.begin, in_section_).all[of]
                    : unknown();
     const auto node = analysis_.graph().node_of(block.span);
     if (!node) return {};
     if (is_shared(analysis_, of)) return unknown();
     Switched all;
-    for (const std::uint8_t channel : machine::numbers_of(analysis_.graph().channels_at(*node).running)) {
-        if (analysis_.switches().of(channel) == nullptr) return unknown();
+    bool is_known = true;
+    for_each_channel(analysis_.graph().channels_at(*node).running, [&](std::uint8_t channel) {
+        is_known = is_known && analysis_.switches().of(channel) != nullptr;
+        if (!is_known) return;
         const machine::SwitchState& state = state_at(channel, *node, block.span.begin);
-        if (state.is_reached) add(all, resolved(analysis_, channel, state.all[of], of, 0));
-    }
-    return all;
+        if (state.is_reached) add(all, resolved(analysis_, channel, state.all[of], of));
+    });
+    return is_known ? all : unknown();
 }
 
 bool SwitchesAt::may_hold_in(const PlainRun& run, const Section& section, std::string_view on,
@@ -189,19 +187,48 @@ bool SwitchesAt::may_hold_in(const PlainRun& run, const Section& section, std::s
     return holds;
 }
 
-Switched switched_at_end(const Program& program, const Section& section, std::size_t of) {
-    machine::SwitchState state = at_begin_of_section(*program.control);
-    run_section(program, section, machine::SwitchStepper(*program.control, true), {0, Switched::nowhere},
-                state);
-    return state.all[of];
+Switched SwitchesAt::at_end_of(const Section& section, std::size_t of) {
+    return state_in(section, Switched::nowhere, end_of_section_).all[of];
 }
 
-Switched switched_before(const ProgramAnalysis& analysis, flow::NodeId node, std::size_t of) {
-    return switched_at(analysis, node, of, false);
+/// All that the switch can be in front of the node or behind it, in the channels that run it.
+Switched SwitchesAt::around_node(flow::NodeId node, std::size_t of, bool behind) {
+    Switched all;
+    for_each_channel(analysis_.graph().channels_at(node).running, [&](std::uint8_t channel) {
+        const auto* switches = analysis_.switches().of(channel);
+        if (switches == nullptr) return add(all, unknown());
+        machine::SwitchState state = switches->before(node);
+        if (!state.is_reached) return;
+        if (behind) switches->run(node, state);
+        add(all, resolved(analysis_, channel, state.all[of], of));
+    });
+    return all;
 }
 
-Switched switched_after(const ProgramAnalysis& analysis, flow::NodeId node, std::size_t of) {
-    return switched_at(analysis, node, of, true);
+const StillOn& SwitchesAt::still_on(std::size_t of) {
+    const auto [known, fresh] = still_on_.try_emplace(of);
+    if (fresh) known->second = find_still_on(of);
+    return known->second;
+}
+
+StillOn SwitchesAt::find_still_on(std::size_t of) {
+    StillOn found;
+    if (is_shared(analysis_, of)) return found;
+    const flow::Graph& graph = analysis_.graph();
+    for (const flow::Exit& exit : graph.exits) {
+        if (!ends_job(analysis_, exit)) continue;
+        const Switched switched = around_node(exit.node, of, true);
+        if (switched.is_surely_on()) found.at_end.insert(switched.on_at);
+    }
+    for (const flow::NodeId node : graph.with_effects) {
+        const Slice effects = graph.nodes[node].effects;
+        for (EffectId id = effects.first; id < effects.first + effects.count; ++id) {
+            if (!std::holds_alternative<ToolChange>(analysis_.program().effects[id].what)) continue;
+            const Switched switched = around_node(node, of, false);
+            if (switched.is_surely_on()) found.at_tool_change.try_emplace(switched.on_at, id);
+        }
+    }
+    return found;
 }
 
 } // namespace maclint::queries

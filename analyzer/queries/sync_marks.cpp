@@ -3,6 +3,7 @@
 
 #include "analyzer/program/block_view.hpp"
 #include "analyzer/program/tables.hpp"
+#include "analyzer/program/word_lookup.hpp"
 
 #include <algorithm>
 #include <cstddef>
@@ -62,17 +63,12 @@ class Marks {
     }
 
   private:
-    static const Word* find(std::span<const Word> words, std::string_view address) {
-        const auto word = std::ranges::find(words, address, &Word::address);
-        return word == words.end() ? nullptr : &*word;
-    }
-
     void look_at(Channels channels, Span block, std::span<const Word> words) {
         for (const Word& code : words) {
             const auto* number = std::get_if<Literal>(&code.value);
             if (number == nullptr || code.address != "G") continue;
             if (number->value != sets_mark && number->value != waits_for_mark) continue;
-            const Word* word = find(words, mark_word);
+            const Word* word = find_word(words, mark_word);
             if (word == nullptr) continue; // a row of the table of words says so
             const auto* mark = std::get_if<Literal>(&word->value);
             if (mark == nullptr) {
@@ -80,7 +76,7 @@ class Marks {
             } else if (number->value == sets_mark) {
                 set_.push_back({mark->value, channels});
             } else {
-                const Word* channel = find(words, channel_word);
+                const Word* channel = find_word(words, channel_word);
                 const auto* of = channel == nullptr ? nullptr : std::get_if<Literal>(&channel->value);
                 const bool known = of != nullptr && of->value >= 0 && of->value < 16;
                 waits_.push_back({mark->value,

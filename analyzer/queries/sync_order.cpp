@@ -1,9 +1,10 @@
 //! Runs the marks and meetings of all channels until nothing moves.
 #include "analyzer/queries/sync_order.hpp"
 
-#include "analyzer/machine/switch_states.hpp"
-#include "analyzer/program/block_view.hpp"
+#include "analyzer/program/channels.hpp"
+#include "analyzer/program/section_blocks.hpp"
 #include "analyzer/program/tables.hpp"
+#include "analyzer/program/word_lookup.hpp"
 
 #include <algorithm>
 #include <map>
@@ -20,11 +21,6 @@ namespace {
 constexpr double sets_mark = 162, waits_for_mark = 62, meets = 97;
 constexpr std::string_view mark_word = "H", channels_word = "Q", coordinate_word = "O";
 
-const Word* find(std::span<const Word> words, std::string_view address) {
-    const auto word = std::ranges::find(words, address, &Word::address);
-    return word == words.end() ? nullptr : &*word;
-}
-
 /// One thing that a channel does.
 struct Step {
     enum class Kind : std::uint8_t { set, wait, meet } kind;
@@ -34,13 +30,18 @@ struct Step {
     bool is_told = false; ///< the word names the channels of a meeting: these need no block of their own
 };
 
-/// The channels whose digits a number has: 13 is 1 and 3.
+/// The channels whose digits a number has: 13 is 1 and 3. None of a number that is no list of digits.
 Channels channels_of_digits(double number) {
+    constexpr double beyond = 1e9;
     Channels channels = 0;
+    if (!(number >= 0 && number < beyond)) return channels;
     for (auto rest = static_cast<unsigned>(number); rest != 0; rest /= 10)
         channels = static_cast<Channels>(channels | (1U << (rest % 10)));
     return channels;
 }
+
+/// Each of them is held against the others.
+constexpr std::size_t most_steps = 1000;
 
 class Course {
   public:
@@ -51,13 +52,10 @@ class Course {
     bool read() {
         for (const Section& section : program_.sections) {
             if (section.executed != Section::Executed::when_reached) continue;
-            for_each_block_with_words(
-                program_, section.items, [](const PlainRun& run, const auto& take) { take(run.span); },
-                [](const WordSummary&) { return true; },
-                [&](const BlockView& block, std::span<const Word> words, const WordSummary*) {
-                    const Channels own = block.channels != 0 ? block.channels : section.channels;
-                    read(own != 0 ? own : program_.channels, block.span, words);
-                });
+            for_each_block_of(program_, section, [&](const BlockView& block, std::span<const Word> words) {
+                const Channels own = block.channels != 0 ? block.channels : section.channels;
+                read(own != 0 ? own : program_.channels, block.span, words);
+            });
         }
         for (const Effect& effect : program_.effects)
             is_readable_ &= !std::holds_alternative<RegionMark>(effect.what) &&
@@ -91,7 +89,7 @@ class Course {
                 code.address == "G" && (number->value == sets_mark || number->value == waits_for_mark);
             const bool is_meeting = code.address == "M" && number->value == meets;
             if (!is_mark && !is_meeting) continue;
-            const Word *mark = find(words, mark_word), *others = find(words, channels_word);
+            const Word *mark = find_word(words, mark_word), *others = find_word(words, channels_word);
             const auto value = [&](const Word* word, double missing) {
                 const auto* literal = word == nullptr ? nullptr : std::get_if<Literal>(&word->value);
                 is_readable_ &= word == nullptr || literal != nullptr;
@@ -108,21 +106,22 @@ class Course {
                 step.is_told = true;
             // A mark of nobody is told elsewhere, and a coordinate ends a wait, too.
             if (step.kind == Step::Kind::wait &&
-                (step.channels == 0 || mark == nullptr || find(words, coordinate_word) != nullptr))
+                (step.channels == 0 || mark == nullptr || find_word(words, coordinate_word) != nullptr))
                 is_readable_ = false;
-            for (const std::uint8_t channel : machine::numbers_of(running)) steps_[channel].push_back(step);
+            for_each_channel(running, [&](std::uint8_t channel) { steps_[channel].push_back(step); });
+            is_readable_ &= ++steps_in_all_ <= most_steps;
         }
     }
 
     [[nodiscard]] bool can_pass(unsigned channel, const Step& step) const {
         if (step.kind == Step::Kind::set) return true;
-        for (const std::uint8_t other : machine::numbers_of(step.channels)) {
-            if (other == channel) continue;
-            if (step.kind == Step::Kind::wait ? !marks_.contains({other, step.mark})
-                                              : !is_at(other, channel, step))
-                return false;
-        }
-        return true;
+        bool all_there = true;
+        for_each_channel(step.channels, [&](std::uint8_t other) {
+            if (other != channel)
+                all_there = all_there && (step.kind == Step::Kind::wait ? marks_.contains({other, step.mark})
+                                                                        : is_at(other, channel, step));
+        });
+        return all_there;
     }
     [[nodiscard]] bool runs(unsigned channel, Span block) const {
         const auto steps = steps_.find(channel);
@@ -150,30 +149,32 @@ class Course {
     void pass(unsigned channel, const Step& step) {
         if (step.kind == Step::Kind::set) marks_.insert({channel, step.mark});
         if (step.kind == Step::Kind::meet)
-            for (const std::uint8_t other : machine::numbers_of(step.channels)) {
-                if (other == channel) continue;
+            for_each_channel(step.channels, [&](std::uint8_t other) {
+                if (other == channel) return;
                 // The partner's own block of the meeting may pass later on.
                 const auto steps = steps_.find(other);
                 if (steps != steps_.end() && at_[other] < steps->second.size())
                     met_.insert({channel, steps->second[at_[other]].block.begin});
-            }
+            });
         ++at_[channel];
     }
 
     [[nodiscard]] std::optional<EndlessWait> stuck(unsigned channel, const Step& step) {
-        for (const std::uint8_t other : machine::numbers_of(step.channels)) {
-            if (other == channel) continue;
+        std::optional<EndlessWait> found;
+        for_each_channel(step.channels, [&](std::uint8_t other) {
+            if (other == channel || found) return;
             const auto steps = steps_.find(other);
             const bool is_over = steps == steps_.end() || at_[other] >= steps->second.size();
-            if (is_over && step.kind == Step::Kind::wait) continue; // told elsewhere
-            return EndlessWait{step.block, is_over ? Span{} : steps->second[at_[other]].block, channel, other,
-                               is_over};
-        }
-        return std::nullopt;
+            if (is_over && step.kind == Step::Kind::wait) return; // told elsewhere
+            found = EndlessWait{step.block, is_over ? Span{} : steps->second[at_[other]].block, channel,
+                                other, is_over};
+        });
+        return found;
     }
 
     const Program& program_;
     bool is_readable_ = true;
+    std::size_t steps_in_all_ = 0;
     std::map<unsigned, std::vector<Step>> steps_; ///< by channel
     std::map<unsigned, std::size_t> at_;          ///< the next step of each
     std::set<std::pair<unsigned, double>> marks_; ///< channel and mark

@@ -1,9 +1,10 @@
 //! Walks from point to point.
 #include "analyzer/queries/turning_outline.hpp"
 
-#include "analyzer/program/block_view.hpp"
 #include "analyzer/program/numbered_blocks.hpp"
+#include "analyzer/program/section_blocks.hpp"
 #include "analyzer/program/tables.hpp"
+#include "analyzer/program/word_lookup.hpp"
 
 #include <algorithm>
 #include <array>
@@ -31,16 +32,6 @@ bool is_one_of(double code, const std::array<double, 2>& codes) {
     return std::ranges::find(codes, code) != codes.end();
 }
 
-const Word* find(std::span<const Word> words, std::string_view address) {
-    const auto word = std::ranges::find(words, address, &Word::address);
-    return word == words.end() ? nullptr : &*word;
-}
-
-std::optional<double> number_of(const Word* word) {
-    const auto* literal = word == nullptr ? nullptr : std::get_if<Literal>(&word->value);
-    return literal == nullptr ? std::nullopt : std::optional(literal->value);
-}
-
 class Walker {
   public:
     explicit Walker(Outline& outline)
@@ -65,7 +56,7 @@ class Walker {
                 return; // a recess, a thread: it lies on an element, which ends where it did
             }
         }
-        const bool moves = find(words, x_word) != nullptr || find(words, z_word) != nullptr;
+        const bool moves = find_word(words, x_word) != nullptr || find_word(words, z_word) != nullptr;
         if (!code.empty() || moves) move(block, words, code);
     }
 
@@ -86,16 +77,16 @@ class Walker {
         element.code = code;
         element.from = here();
         const bool is_plain = std::ranges::none_of(
-            others, [&](std::string_view other) { return find(words, other) != nullptr; });
+            others, [&](std::string_view other) { return find_word(words, other) != nullptr; });
         if (is_plain && motion_) {
-            go(x_, find(words, x_word), true);
-            go(z_, find(words, z_word), false);
+            go(x_, find_word(words, x_word), true);
+            go(z_, find_word(words, z_word), false);
             if (is_one_of(*motion_, by_way) || is_one_of(*motion_, by_place)) read_arc(words, element);
         } else {
             x_ = z_ = std::nullopt;
         }
         element.to = here();
-        const Word* corner = find(words, corner_word);
+        const Word* corner = find_word(words, corner_word);
         element.corner = number_of(corner);
         if (corner != nullptr) element.corner_span = corner->span;
         if (outline_.describes || element.is_arc) outline_.elements.push_back(element);
@@ -115,8 +106,8 @@ class Walker {
 
     void read_arc(std::span<const Word> words, OutlineElement& element) const {
         element.is_arc = true;
-        const Word* radius = find(words, radius_word);
-        const Word *i = find(words, centre_x), *k = find(words, centre_z);
+        const Word* radius = find_word(words, radius_word);
+        const Word *i = find_word(words, centre_x), *k = find_word(words, centre_z);
         element.radius = number_of(radius);
         if (radius != nullptr || i == nullptr || k == nullptr || !element.from) return;
         const auto x = number_of(i), z = number_of(k);
@@ -178,15 +169,12 @@ std::vector<Outline> outlines_of(const Program& program, bool with_moves) {
         if (!describes && !moves) continue;
         Outline& outline = outlines.emplace_back(Outline{&section, describes, {}});
         Walker walker(outline);
-        for_each_block_with_words(
-            program, section.items, [](const PlainRun& run, const auto& take) { take(run.span); },
-            [](const WordSummary&) { return true; },
-            [&](const BlockView& block, std::span<const Word> words, const WordSummary*) {
-                if (!only_moves(program, block) || (!describes && has_other_code(program, words)))
-                    walker.forget();
-                else
-                    walker.look_at(block, words);
-            });
+        for_each_block_of(program, section, [&](const BlockView& block, std::span<const Word> words) {
+            if (!only_moves(program, block) || (!describes && has_other_code(program, words)))
+                walker.forget();
+            else
+                walker.look_at(block, words);
+        });
     }
     return outlines;
 }
@@ -194,6 +182,18 @@ std::vector<Outline> outlines_of(const Program& program, bool with_moves) {
 } // namespace
 
 double distance(const OutlinePoint& a, const OutlinePoint& b) { return std::hypot(a.x - b.x, a.z - b.z); }
+
+std::optional<Bar> bar_of(const Program& program, const Section& section) {
+    constexpr double bar = 20; // [SEED-003:10502-10513]
+    std::optional<Bar> found;
+    std::size_t blocks = 0;
+    for_each_block_of(program, section, [&](const BlockView&, std::span<const Word> words) {
+        ++blocks;
+        const auto x = number_of(words, x_word), z = number_of(words, z_word), k = number_of(words, centre_z);
+        if (number_of(words, "G") == bar && x && z) found = Bar{*x, k.value_or(0) - *z, k.value_or(0)};
+    });
+    return blocks == 1 ? found : std::nullopt;
+}
 
 std::vector<Outline> turning_contours(const Program& program) { return outlines_of(program, false); }
 

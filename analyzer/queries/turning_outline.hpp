@@ -37,6 +37,14 @@ struct Outline {
 /// Those contours, and the moves of each section that runs.
 [[nodiscard]] std::vector<Outline> turning_contours_and_moves(const Program& program);
 
+/// A bar or a tube that a blank is, by its one block; in mm or inches.
+struct Bar {
+    double diameter;
+    double left, right; ///< ends along Z
+};
+/// Nothing where the section says it otherwise.
+[[nodiscard]] std::optional<Bar> bar_of(const Program& program, const Section& section);
+
 [[nodiscard]] double distance(const OutlinePoint& a, const OutlinePoint& b);
 
 } // namespace maclint::queries

@@ -35,11 +35,9 @@ const dataflow::Liveness& ProgramAnalysis::liveness() const {
 }
 
 const ProgramAnalysis* ProgramAnalysis::followed(const CallSite* site) const {
-    // Controls take some ten levels. Each level of calls is one of the C++ stack, too.
-    constexpr int most_levels = 100;
     if (site == nullptr || !site->target || site->in_cycle) return nullptr;
     const ProgramAnalysis& called = workspace_->programs()[*site->target];
-    return called.depth_.macro + called.depth_.subprogram <= most_levels ? &called : nullptr;
+    return called.is_too_deep() ? nullptr : &called;
 }
 
 const machine::States& ProgramAnalysis::machine() const {

@@ -126,6 +126,12 @@ class ProgramAnalysis {
     [[nodiscard]] bool is_recursive() const { return recursive_; }
     /// How deep the deepest calls of the workspace that reach it are.
     [[nodiscard]] CallDepth depth() const { return depth_; }
+    /// It is called over more levels than any control takes: states are not followed into it, for each level
+    /// is one of the C++ stack, too.
+    [[nodiscard]] bool is_too_deep() const {
+        constexpr int most_levels = 100;
+        return depth_.macro + depth_.subprogram > most_levels;
+    }
     /// Calls that lead from this program to another; none when there is no such path or it is the same
     /// program. May be asked on several threads.
     [[nodiscard]] CallPath path_to(ProgramIndex program) const;

@@ -1,5 +1,4 @@
 //! DIN209: a finished part that its blank does not hold.
-#include "analyzer/program/block_view.hpp"
 #include "analyzer/queries/sections.hpp"
 #include "analyzer/queries/turning_outline.hpp"
 #include "analyzer/workspace/program_analysis.hpp"
@@ -9,7 +8,6 @@
 #include <algorithm>
 #include <optional>
 #include <string>
-#include <string_view>
 
 namespace maclint::rules {
 
@@ -71,33 +69,7 @@ END
 
 namespace {
 
-/// A bar or a tube, by its one block.
-struct Bar {
-    double diameter, left, right;
-};
-
-std::optional<double> number_of(std::span<const Word> words, std::string_view address) {
-    const auto word = std::ranges::find(words, address, &Word::address);
-    const auto* literal = word == words.end() ? nullptr : std::get_if<Literal>(&word->value);
-    return literal == nullptr ? std::nullopt : std::optional(literal->value);
-}
-
-std::optional<Bar> bar_of(const Program& program, const Section& section) {
-    constexpr double bar = 20;
-    std::optional<Bar> found;
-    std::size_t blocks = 0;
-    for_each_block_with_words(
-        program, section.items, [](const PlainRun& run, const auto& take) { take(run.span); },
-        [](const WordSummary&) { return true; },
-        [&](const BlockView&, std::span<const Word> words, const WordSummary*) {
-            ++blocks;
-            const auto x = number_of(words, "X"), z = number_of(words, "Z"), k = number_of(words, "K");
-            if (number_of(words, "G") == bar && x && z) found = Bar{*x, k.value_or(0) - *z, k.value_or(0)};
-        });
-    return blocks == 1 ? found : std::nullopt;
-}
-
-void look_at(const ProgramAnalysis& analysis, const Bar& bar, const queries::Outline& outline,
+void look_at(const ProgramAnalysis& analysis, const queries::Bar& bar, const queries::Outline& outline,
              Reporter& reporter) {
     constexpr double rounding = 0.001;
     for (const queries::OutlineElement& element : outline.elements) {
@@ -120,9 +92,9 @@ void check(const ProgramAnalysis& analysis, Reporter& reporter) {
     // Moves of the tool stand in the contour where the word between them is missing: that is told elsewhere.
     if (!queries::has_section(analysis.program(), SectionKind::Role::machining)) return;
     const auto outlines = queries::turning_contours(analysis.program());
-    std::optional<Bar> bar;
+    std::optional<queries::Bar> bar;
     for (const Section& section : analysis.program().sections) {
-        if (section.kind == "BLANK") bar = bar_of(analysis.program(), section);
+        if (section.kind == "BLANK") bar = queries::bar_of(analysis.program(), section);
         if (section.kind != "FINISHED" || !bar) continue;
         const auto outline = std::ranges::find(outlines, &section, &queries::Outline::section);
         if (outline != outlines.end()) look_at(analysis, *bar, *outline, reporter);

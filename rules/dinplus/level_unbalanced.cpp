@@ -1,6 +1,6 @@
 //! DIN225: G308 and G309 that do not pair.
-#include "analyzer/program/block_view.hpp"
 #include "analyzer/program/numbered_blocks.hpp"
+#include "analyzer/program/section_blocks.hpp"
 #include "analyzer/workspace/program_analysis.hpp"
 #include "rules/path.hpp"
 #include "rules/rule.hpp"
@@ -75,25 +75,22 @@ void look_at(const ProgramAnalysis& analysis, const Section& section, Reporter& 
     const Program& program = analysis.program();
     std::vector<Span> open;
     bool is_whole = true;
-    for_each_block_with_words(
-        program, section.items, [](const PlainRun& run, const auto& take) { take(run.span); },
-        [](const WordSummary&) { return true; },
-        [&](const BlockView& block, std::span<const Word> words, const WordSummary*) {
-            for (const Effect& effect : program.effects_in(block.effects))
-                is_whole &= !std::holds_alternative<Call>(effect.what) &&
-                            !std::holds_alternative<UnreadableBlock>(effect.what);
-            for (const Word& word : words) {
-                const auto* code = std::get_if<Literal>(&word.value);
-                if (code == nullptr || word.address != "G") continue;
-                if (code->value == opens) open.push_back(block.span);
-                if (code->value != closes) continue;
-                if (!open.empty())
-                    open.pop_back();
-                else if (is_whole)
-                    reporter.report({analysis, word.span}, word.span, "closed",
-                                    {quoted(program, block.span), std::string(section.kind)});
-            }
-        });
+    for_each_block_of(program, section, [&](const BlockView& block, std::span<const Word> words) {
+        for (const Effect& effect : program.effects_in(block.effects))
+            is_whole &= !std::holds_alternative<Call>(effect.what) &&
+                        !std::holds_alternative<UnreadableBlock>(effect.what);
+        for (const Word& word : words) {
+            const auto* code = std::get_if<Literal>(&word.value);
+            if (code == nullptr || word.address != "G") continue;
+            if (code->value == opens) open.push_back(block.span);
+            if (code->value != closes) continue;
+            if (!open.empty())
+                open.pop_back();
+            else if (is_whole)
+                reporter.report({analysis, word.span}, word.span, "closed",
+                                {quoted(program, block.span), std::string(section.kind)});
+        }
+    });
     if (is_whole && !open.empty())
         reporter.report({analysis, open.front()}, open.front(), "open",
                         {quoted(program, open.front()), std::string(section.kind)});

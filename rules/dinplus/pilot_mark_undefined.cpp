@@ -1,5 +1,6 @@
 //! DIN819: a cycle works at positions that no cycle has stored.
-#include "analyzer/program/block_view.hpp"
+#include "analyzer/program/section_blocks.hpp"
+#include "analyzer/program/word_lookup.hpp"
 #include "rules/path.hpp"
 #include "rules/rule.hpp"
 
@@ -54,26 +55,11 @@ constexpr std::string_view mark_word = "NF", stores_word = "A";
 /// Cycles that work at stored positions or store them; measuring cycles have another NF.
 constexpr std::array<double, 6> cycles = {71, 840, 845, 846, 847, 848};
 
-const Word* find(std::span<const Word> words, std::string_view address) {
-    const auto word = std::ranges::find(words, address, &Word::address);
-    return word == words.end() ? nullptr : &*word;
-}
-
 class Marks {
   public:
     void read(const Program& program) {
-        const syntax::AddressSet marks = addresses_named(program, mark_word);
-        for (const Section& section : program.sections)
-            if (section.executed == Section::Executed::when_reached)
-                for_each_block_with_words(
-                    program, section.items,
-                    [&](const PlainRun& run, const auto& take) {
-                        if (run.words.addresses.meets(marks)) take(run.span);
-                    },
-                    [&](const WordSummary& words) { return words.addresses.meets(marks); },
-                    [&](const BlockView&, std::span<const Word> words, const WordSummary*) {
-                        read(program, words);
-                    });
+        for_each_running_block_with(
+            program, mark_word, [&](const BlockView&, std::span<const Word> words) { read(program, words); });
         for (const Effect& effect : program.effects)
             is_whole_ &= !std::holds_alternative<Call>(effect.what) &&
                          !std::holds_alternative<UnreadableBlock>(effect.what);
@@ -93,10 +79,10 @@ class Marks {
             return code != nullptr && word.address == "G" &&
                    std::ranges::find(cycles, code->value) != cycles.end();
         });
-        const Word* mark = is_cycle ? find(words, mark_word) : nullptr;
+        const Word* mark = is_cycle ? find_word(words, mark_word) : nullptr;
         if (mark == nullptr) return;
         const auto* number = std::get_if<Literal>(&mark->value);
-        const Word* stores = find(words, stores_word);
+        const Word* stores = find_word(words, stores_word);
         const auto* kind = stores == nullptr ? nullptr : std::get_if<Literal>(&stores->value);
         if (number == nullptr || (stores != nullptr && kind == nullptr))
             is_whole_ = false;

@@ -1,20 +1,18 @@
 //! DIN930: a measuring cycle leaves its errors to the program, which does not ask for them.
-#include "analyzer/program/block_view.hpp"
-#include "analyzer/workspace/program_analysis.hpp"
+#include "analyzer/program/word_lookup.hpp"
+#include "analyzer/queries/block_words.hpp"
+#include "analyzer/queries/machine_reads.hpp"
 #include "rules/path.hpp"
 #include "rules/rule.hpp"
 
-#include <algorithm>
 #include <array>
-#include <cctype>
-#include <span>
 #include <string>
 #include <string_view>
 
 namespace maclint::rules {
 
 namespace {
-void check(const ProgramAnalysis& analysis, Reporter& reporter);
+void check(const queries::WordsOfBlock& block, Reporter& reporter);
 }
 
 extern const Rule result_unchecked{
@@ -58,7 +56,7 @@ N4 M30
 END
 )nc"}},
     .sources = {"SEED-003:21105-21110", "SEED-003:20333-20342", "SEED-003:21200", "SEED-003:22325"},
-    .check = &check,
+    .check = WordCheck{.addresses = "O Q", .blocks = WordCheck::Blocks::all, .check = &check},
 };
 
 namespace {
@@ -74,50 +72,21 @@ constexpr std::array rows = {
     Measures{917, 917, "O", "#i99"}, // [20333-20342]
 };
 
-bool reads(std::string_view text, std::string_view variable) {
-    return std::ranges::search(text, variable, [](char a, char b) {
-               return std::tolower(static_cast<unsigned char>(a)) == b;
-           }).begin() != text.end();
-}
-
-void look_at(const ProgramAnalysis& analysis, const BlockView& block, std::span<const Word> words,
-             Reporter& reporter) {
-    const Program& program = analysis.program();
-    for (const Word& code : words) {
-        const auto* number = std::get_if<Literal>(&code.value);
-        if (number == nullptr || code.address != "G") continue;
+void check(const queries::WordsOfBlock& block, Reporter& reporter) {
+    if (!block.analysis.is_main()) return;
+    const Program& program = block.analysis.program();
+    for (const Word& code : block.words) {
+        const auto number = number_of(&code);
+        if (!number || code.address != "G") continue;
         for (const Measures& row : rows) {
-            if (number->value < row.first || number->value > row.last) continue;
-            const auto word = std::ranges::find(words, row.word, &Word::address);
-            const auto* kind = word == words.end() ? nullptr : std::get_if<Literal>(&word->value);
-            if (kind == nullptr || kind->value != 0) continue;
-            const std::string_view later = program.text.substr(block.span.end);
-            if (!reads(later, row.result))
-                reporter.report(
-                    {analysis, word->span}, word->span, "plain",
-                    {quoted(program, block.span), std::string(row.result), std::string(row.word) + "1"});
+            const Word* word = find_word(block.words, row.word);
+            if (*number < row.first || *number > row.last || number_of(word) != 0) continue;
+            if (!queries::may_be_read_behind(program, row.result, block.block.span.end))
+                reporter.report({block.analysis, word->span}, word->span, "plain",
+                                {quoted(program, block.block.span), std::string(row.result),
+                                 std::string(row.word) + "1"});
         }
     }
-}
-
-void check(const ProgramAnalysis& analysis, Reporter& reporter) {
-    const Program& program = analysis.program();
-    const bool calls = std::ranges::any_of(program.effects, [](const Effect& effect) {
-        return std::holds_alternative<Call>(effect.what); // that program may ask
-    });
-    if (calls || !analysis.is_main()) return;
-    const syntax::AddressSet wanted = addresses_named(program, "O Q");
-    for (const Section& section : program.sections)
-        if (section.executed == Section::Executed::when_reached)
-            for_each_block_with_words(
-                program, section.items,
-                [&](const PlainRun& run, const auto& take) {
-                    if (run.words.addresses.meets(wanted)) take(run.span);
-                },
-                [&](const WordSummary& words) { return words.addresses.meets(wanted); },
-                [&](const BlockView& block, std::span<const Word> words, const WordSummary*) {
-                    look_at(analysis, block, words, reporter);
-                });
 }
 
 } // namespace

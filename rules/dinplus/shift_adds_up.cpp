@@ -1,6 +1,6 @@
 //! DIN418: a zero shift that adds up in a loop and is never taken back.
 #include "analyzer/dataflow/loops.hpp"
-#include "analyzer/program/block_view.hpp"
+#include "analyzer/program/section_blocks.hpp"
 #include "analyzer/workspace/program_analysis.hpp"
 #include "rules/path.hpp"
 #include "rules/rule.hpp"
@@ -66,17 +66,11 @@ constexpr std::array<double, 5> sets_anew = {51, 53, 54, 55, 59};
 /// Whether the code stands in the part of the program that runs.
 template<class Visit>
 void for_each_code(const Program& program, const Visit& visit) {
-    for (const Section& section : program.sections)
-        if (section.executed == Section::Executed::when_reached)
-            for_each_block_with_words(
-                program, section.items, [](const PlainRun& run, const auto& take) { take(run.span); },
-                [](const WordSummary&) { return true; },
-                [&](const BlockView& block, std::span<const Word> words, const WordSummary*) {
-                    for (const Word& word : words)
-                        if (const auto* code = std::get_if<Literal>(&word.value);
-                            code != nullptr && word.address == "G")
-                            visit(block, code->value);
-                });
+    for_each_running_block_with(program, "G", [&](const BlockView& block, std::span<const Word> words) {
+        for (const Word& word : words)
+            if (const auto* code = std::get_if<Literal>(&word.value); code != nullptr && word.address == "G")
+                visit(block, code->value);
+    });
 }
 
 void check(const ProgramAnalysis& analysis, Reporter& reporter) {

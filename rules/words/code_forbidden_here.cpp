@@ -30,7 +30,8 @@ extern const Rule code_forbidden_here{
     .messages = {{"under", "Code {0} while {1} is in force: {2}.", "Switch {1} off before."},
                  {"section", "Code {0} in {1}: {2}.", "Move it to where it belongs."},
                  {"on", "Code {0} while the {1} is on, since {3}: {2}.", "Switch it off before."},
-                 {"off", "Code {0} while the {1} is off: {2}.", "Switch it on before, or leave {0} out."}},
+                 {"off", "Code {0} without what it needs: {2}.",
+                  "Give it the {1} before, or leave {0} out."}},
     .bad = {{"fanuc", R"nc(
 O9527(PROBE)
 G90 G54 G0 X0 Y0

@@ -6,11 +6,9 @@
 #include "rules/path.hpp"
 #include "rules/words/row_of_block.hpp"
 
-#include <algorithm>
 #include <cstddef>
 #include <optional>
 #include <string>
-#include <variant>
 
 namespace maclint::rules {
 
@@ -55,38 +53,19 @@ END
 
 namespace {
 
-/// Whether a job is over there: not a part of one that a caller goes on with.
-bool ends_job(const ProgramAnalysis& analysis, const flow::Exit& exit) {
-    return exit.kind == flow::ExitKind::ends || exit.kind == flow::ExitKind::restarts ||
-           (exit.kind == flow::ExitKind::runs_off && analysis.is_main());
-}
-
-/// Whether this block has switched it on, and nothing has switched it off.
-bool is_left_on(const RowOfBlock& block, const machine::Switched& switched) {
-    return switched.is_surely_on() && switched.on_at == block.block.block.span.begin;
-}
-
-bool is_on_at_end(const RowOfBlock& block, std::size_t of) {
-    const ProgramAnalysis& analysis = block.block.analysis;
-    if (analysis.control().switches[of].where == Switch::Where::section)
-        return is_left_on(block, queries::switched_at_end(analysis.program(), block.block.section, of));
-    return std::ranges::any_of(analysis.graph().exits, [&](const flow::Exit& exit) {
-        return ends_job(analysis, exit) &&
-               is_left_on(block, queries::switched_after(analysis, exit.node, of));
-    });
+bool is_on_at_end(const RowOfBlock& block, std::size_t of, bool in_section) {
+    const Offset here = block.block.block.span.begin;
+    queries::SwitchesAt& switches = block.block.switches_at;
+    if (!in_section) return switches.still_on(of).at_end.contains(here);
+    const machine::Switched switched = switches.at_end_of(block.block.section, of);
+    return switched.is_surely_on() && switched.on_at == here;
 }
 
 /// The first tool change behind the block at which it is on.
 std::optional<EffectId> tool_change_with(const RowOfBlock& block, std::size_t of) {
-    const ProgramAnalysis& analysis = block.block.analysis;
-    for (const flow::NodeId node : analysis.graph().with_effects) {
-        const Slice effects = analysis.graph().nodes[node].effects;
-        for (EffectId id = effects.first; id < effects.first + effects.count; ++id)
-            if (std::holds_alternative<ToolChange>(analysis.program().effects[id].what) &&
-                is_left_on(block, queries::switched_before(analysis, node, of)))
-                return id;
-    }
-    return std::nullopt;
+    const auto& changes = block.block.switches_at.still_on(of).at_tool_change;
+    const auto change = changes.find(block.block.block.span.begin);
+    return change == changes.end() ? std::nullopt : std::optional(change->second);
 }
 
 void check(const RowOfBlock& block, Reporter& reporter) {
@@ -104,7 +83,7 @@ void check(const RowOfBlock& block, Reporter& reporter) {
         block.report(
             reporter, block.code, "tool",
             {code, what, effect, quoted(analysis.program(), tool), line_number(analysis.file(), tool.begin)});
-    } else if (is_on_at_end(block, *of)) {
+    } else if (is_on_at_end(block, *of, in_section)) {
         block.report(reporter, block.code, in_section ? "section" : "end", {code, what, effect});
     }
 }

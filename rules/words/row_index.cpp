@@ -2,6 +2,7 @@
 #include "rules/words/row_index.hpp"
 
 #include "analyzer/program/block_view.hpp"
+#include "analyzer/program/code_key.hpp"
 #include "analyzer/program/tables.hpp"
 #include "rules/words/book_language.hpp"
 #include "rules/words/code_pages.hpp"
@@ -10,21 +11,11 @@
 #include "rules/words/word_list.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <string>
 #include <variant>
 
 namespace maclint {
 namespace {
-
-/// A letter and a number of at most three decimals as one number; -1 for a number that is no code's.
-std::int64_t code_number(char letter, double code) {
-    constexpr double decimals = 1000;
-    constexpr std::int64_t letters = 256;
-    constexpr double beyond_codes = 1e6;
-    if (!(code >= 0 && code < beyond_codes)) return -1;
-    return std::llround(code * decimals) * letters + static_cast<unsigned char>(letter);
-}
 
 void add_code(std::vector<LetterCodes>& codes, const RowForCode& row) {
     auto place = std::ranges::find(codes, row.letter, &LetterCodes::letter);
@@ -39,7 +30,7 @@ void add_code(std::vector<LetterCodes>& codes, const RowForCode& row) {
 std::int64_t code_number(const Word& word) {
     const auto* literal = std::get_if<Literal>(&word.value);
     return literal == nullptr || word.address.size() != 1 ? -1
-                                                          : code_number(word.address.front(), literal->value);
+                                                          : code_key(word.address.front(), literal->value);
 }
 
 /// Of an address of one capital letter, in the table of rows of addresses.
@@ -60,7 +51,7 @@ RowIndex::RowIndex(const ControlModel& control, std::string_view section, const 
                 if (tables != nullptr) addresses_.add(scanned_maybe(*tables, row.row->words));
                 continue;
             }
-            Entry entry{rule_row, &row, code_number(row.letter, row.code), {}, {}, {}, {}};
+            Entry entry{rule_row, &row, code_key(row.letter, row.code), {}, {}, {}, {}};
             if (tables != nullptr) {
                 entry.words = scanned_surely(*tables, row.row->words);
                 if (row.row->says == RowStatement::takes_only)

@@ -38,6 +38,14 @@ std::string tool_behind(const std::string& program, std::string_view text) {
     return state ? spelled(state->tool) : "unreached";
 }
 
+TEST(MachineStates, AreFollowedOverSoManyCallsAsAnyControlTakes) {
+    std::string text = "O1\nT1 M6\nM98 P2\nX1.\nM30\n";
+    for (int number = 2; number < 5000; ++number)
+        text += "O" + std::to_string(number) + "\nM98 P" + std::to_string(number + 1) + "\nM99\n";
+    EXPECT_EQ(tool_behind(text + "O5000\nM99\n", "X1."), "?");
+    EXPECT_EQ(tool_behind("O1\nT1 M6\nM98 P2\nX1.\nM30\nO2\nM98 P3\nM99\nO3\nM99\n", "X1."), "1");
+}
+
 TEST(MachineStates, KnowTheToolThatAChangeBrings) {
     EXPECT_EQ(tool_behind("O1\nT1 M6\nX1.\nM30\n", "X1."), "1");
     EXPECT_EQ(tool_behind("O1\nM6 T1\nX1.\nM30\n", "X1."), "1");

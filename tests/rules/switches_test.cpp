@@ -1,7 +1,12 @@
 //! What programs switch on and off, along their paths and through calls, and what is said of it.
+#include "analyzer/dialect/dialect.hpp"
+#include "analyzer/program/word_condition.hpp"
+#include "rules/words/rule_row.hpp"
 #include "tests/rules/din_findings.hpp"
 
+#include <set>
 #include <string>
+#include <string_view>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -52,7 +57,50 @@ TEST(Switches, PassThroughCalls) {
         << "its caller has switched it on";
     EXPECT_THAT(refused_in("L\"SUB\"\n", "G912 Q1\n"), ElementsAre(6)) << "none of its callers has";
     EXPECT_THAT(refused_in("L\"SUB\"\nG910\nL\"SUB\"\nG913\n", "G912 Q1\n"), IsEmpty()) << "one of them has";
+    EXPECT_THAT(refused_in("G910\nL\"SUB\"\nG912 Q1\n", "IF #g1==1\nTHEN\nG913\nENDIF\n"), IsEmpty())
+        << "on some path it is left alone";
+    EXPECT_THAT(refused_in("L\"SUB\"\nG912 Q1\n", "IF #g1==1\nTHEN\nG910\nG913\nENDIF\n"), ElementsAre(4))
+        << "off on both";
     EXPECT_THAT(refused_in("L\"SUB\"\nG910\nG912 Q1\nG913\n", ""), IsEmpty()) << "an empty program";
+}
+
+/// So many subprograms that call the next one `calls` times; the last holds the block.
+std::string chain(int programs, int calls, const std::string& last) {
+    std::string text;
+    for (int i = 0; i < programs; ++i) {
+        text += "SUBPROGRAM \"S" + std::to_string(i) + "\"\n";
+        for (int call = 0; call < calls && i + 1 < programs; ++call)
+            text += "L\"S" + std::to_string(i + 1) + "\"\n";
+        text += (i + 1 < programs ? "" : last) + "RETURN\n";
+    }
+    return text;
+}
+
+TEST(Switches, PassThroughChainsOfCalls) {
+    const auto refused_in = [](const std::string& begin, const std::string& subs) {
+        return din_lines("MAC527", head + "MACHINING\n" + begin + "L\"S0\"\nM30\n" + subs + "END\n").size();
+    };
+    EXPECT_EQ(refused_in("", chain(6, 1, "G912 Q1\n")), 1);
+    EXPECT_EQ(refused_in("G910\n", chain(6, 1, "G912 Q1\n")), 0);
+    EXPECT_EQ(refused_in("", chain(8, 40, "G912 Q1\n")), 1) << "each caller is asked once";
+    EXPECT_EQ(refused_in("", chain(3000, 1, "G912 Q1\n")), 0) << "deeper than any control goes";
+}
+
+TEST(Switches, AreAllNamedByRows) {
+    const ControlModel& control = *find_control("dinplus");
+    std::set<std::string_view> named;
+    for (const RuleRow& row : all_rule_rows())
+        for (const RowForCode& one : row.rows) {
+            named.insert(one.row->while_on);
+            for_each_part(one.row->while_off, ',', [&](std::string_view name) { named.insert(name); });
+        }
+    named.erase("");
+    std::set<std::string_view> there;
+    for (const Switch& one : control.switches) {
+        there.insert(one.name);
+        EXPECT_FALSE(one.source.empty()) << one.name;
+    }
+    EXPECT_EQ(named, there);
 }
 
 TEST(Switches, ThatSlidesShareAreUnknownWhereSeveralRun) {
@@ -94,8 +142,20 @@ TEST(Meetings, EndWhereAllSlidesCome) {
                 ElementsAre(4));
     EXPECT_THAT(din_lines("DIN903", head + "$1 M97 Q12\nM30\nEND\n"), IsEmpty())
         << "the manual's own example";
+    EXPECT_THAT(din_lines("DIN903", head + "$1 M97 Q-1\n$2 M97 Q1E20\nM30\nEND\n"), IsEmpty());
     EXPECT_THAT(din_lines("DIN903", head + "WHILE #g1<3\n$1 M97\nENDWHILE\nM30\nEND\n"), IsEmpty())
         << "a loop may change the order";
+}
+
+TEST(Results, AreAskedForBehindTheCycleAndNotInAComment) {
+    const std::string probe = "MACHINING\nT5\nG770 R2 D0 K-8 AC50 BD0.2 O0\n";
+    EXPECT_THAT(din_lines("DIN930", probe + "[#i99 is not read]\nM30\nEND\n"), ElementsAre(3));
+    EXPECT_THAT(din_lines("DIN930", probe + "#l1=#I99\nM30\nEND\n"), IsEmpty());
+    EXPECT_THAT(din_lines("DIN930", probe + "#l1=#i9\nM30\nEND\n"), ElementsAre(3));
+    EXPECT_THAT(din_lines("DIN930", "MACHINING\nT5\n#l1=#i99\nG770 R2 D0 K-8 AC50 BD0.2 O0\nM30\nEND\n"),
+                ElementsAre(4))
+        << "read before";
+    EXPECT_THAT(din_lines("DIN930", probe + "L\"ASKS\" V1\nM30\nEND\n"), IsEmpty()) << "it may ask";
 }
 
 } // namespace

@@ -42,6 +42,13 @@ TEST(Outline, PassesFormElementsAndUnknownPoints) {
                 IsEmpty());
 }
 
+TEST(Outline, BeginsWithAStartPointUnlessACallMayHoldIt) {
+    EXPECT_THAT(of_contour("MAC527", "G1 X40 Z0\nG1 Z-30\n"), ElementsAre(2));
+    EXPECT_THAT(of_contour("MAC527", "L\"PART\" V1\nG1 X40 Z0\n"), IsEmpty());
+    EXPECT_THAT(of_contour("MAC527", "G0 X0 Z0\n" + std::string(300, '\n') + "G1 X40 Z0\n"), IsEmpty())
+        << "far above";
+}
+
 TEST(Outline, HoldsTheFinishedPartAgainstTheBar) {
     const auto part = [](const std::string& blank, const std::string& contour) {
         return din_lines("DIN209", "BLANK\n" + blank + "FINISHED\n" + contour + "MACHINING\nM30\nEND\n");

@@ -3,8 +3,8 @@
 
 #include "analyzer/dataflow/domain/persistent_map.hpp"
 #include "analyzer/dataflow/domain/value.hpp"
+#include "analyzer/program/channels.hpp"
 
-#include <bit>
 #include <functional>
 #include <optional>
 #include <span>
@@ -67,12 +67,6 @@ constexpr unsigned bits_of_group = 8;
     return entry_code_keys | Key{of.channel} << bits_of_group | of.group;
 }
 
-/// Calls `visit(channel)` for each of them.
-template<class Visit>
-void for_each_channel(Channels channels, const Visit& visit) {
-    for (unsigned rest = channels; rest != 0; rest &= rest - 1)
-        visit(static_cast<std::uint8_t>(std::countr_zero(rest)));
-}
 [[nodiscard]] constexpr bool is_variable_key(Key key) { return key < group_keys; }
 [[nodiscard]] constexpr bool is_group_key(Key key) { return key >= group_keys && key < entry_code_keys; }
 [[nodiscard]] constexpr Variable variable_of(Key key) {

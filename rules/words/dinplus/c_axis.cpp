@@ -1,5 +1,6 @@
 //! DIN PLUS: C axis. Numbers are lines of the manual.
 #include "rules/words/book_lines.hpp"
+#include "rules/words/dinplus/common_lines.hpp"
 
 namespace maclint::code_books {
 namespace {
@@ -28,7 +29,7 @@ constexpr BookLine lines[] = {
         word("YK", 16376, "end point in YK").without("modal"),
         word("Z", 16377, "end point in Z").without("modal"),
         excludes("X C", "XK YK", 16382, two_points).as(error).also("DIN233"),
-        refused(20044, "the C axis does not turn").while_off("C axis").also("DIN652"),
+        wants_c_axis,
     code("G101", 16402, "straight move on the face"),
         word("X", 16408, "end diameter").without("modal"),
         word("C", 16409, "end angle").without("modal"),
@@ -40,7 +41,7 @@ constexpr BookLine lines[] = {
         word("Q", 16423, "choice of the intersection: 0 nearer, 1 farther", "0 1").without("0"),
         excludes("X C", "XK YK", 16432, two_points).as(error).also("DIN233"),
         takes_not("AN BR", 16436, in_contours).also_before("G80").also("DIN663"),
-        refused(20044, "the C axis does not turn").while_off("C axis").also("DIN652"),
+        wants_c_axis,
     code("G102 G103", 16463, "arc on the face"),
         word("X", 16469, "end diameter").without("modal"),
         word("C", 16470, "end angle").without("modal"),
@@ -62,15 +63,14 @@ constexpr BookLine lines[] = {
         takes_not("J", 16519, "with H2 the centre is told by I and K").when("H=2 -R"),
         takes_not("I", 16520, "with H3 the centre is told by J and K").when("H=3 -R"),
         takes_not("AN BR", 16498, in_contours).also_before("G80").also("DIN663"),
-        refused(20044, "the C axis does not turn").while_off("C axis").also("DIN652"),
+        wants_c_axis,
     code("G110", 16535, "rapid traverse on the lateral surface"),
         word("Z", 16543, "end point in Z").without("modal"),
         word("C", 16544, "end angle").without("modal"),
         word("CY", 16545, "end angle as a length on the reference diameter").without("modal"),
         word("X", 16546, "end diameter"),
         excludes("C", "CY", 16553, two_angles).as(error).also("DIN232"),
-        refused(20044, "the C axis does not turn").while_off("C axis").also("DIN652"),
-        refused(16288, "nobody knows the diameter that CY is measured on").when("CY").while_off("reference diameter").also("DIN654"),
+        wants_c_axis, wants_reference_diameter,
     code("G111", 16571, "straight move on the lateral surface"),
         word("Z", 16577, "end point in Z").without("modal"),
         word("C", 16578, "end angle").without("modal"),
@@ -81,8 +81,7 @@ constexpr BookLine lines[] = {
         word("Q", 16594, "choice of the intersection: 0 nearer, 1 farther", "0 1").without("0"),
         excludes("C", "CY", 16603, two_angles).as(error).also("DIN232"),
         takes_not("AN BR", 16607, in_contours).also_before("G80").also("DIN663"),
-        refused(20044, "the C axis does not turn").while_off("C axis").also("DIN652"),
-        refused(16288, "nobody knows the diameter that CY is measured on").when("CY").while_off("reference diameter").also("DIN654"),
+        wants_c_axis, wants_reference_diameter,
     code("G112 G113", 16628, "arc on the lateral surface"),
         word("Z", 16634, "end point in Z").without("modal"),
         word("C", 16635, "end angle").without("modal"),
@@ -99,8 +98,7 @@ constexpr BookLine lines[] = {
         excludes("C", "CY", 16666, two_angles).as(error).also("DIN232"),
         excludes("R", "K J W", 16667, two_arcs).as(error),
         takes_not("AN BR", 16658, in_contours).also_before("G80").also("DIN663"),
-        refused(20044, "the C axis does not turn").while_off("C axis").also("DIN652"),
-        refused(16288, "nobody knows the diameter that CY is measured on").when("CY").while_off("reference diameter").also("DIN654"),
+        wants_c_axis, wants_reference_diameter,
 };
 // clang-format on
 

@@ -1,6 +1,7 @@
 //! DIN PLUS: compensation, zero shifts and oversizes. Numbers are lines of the manual.
 #include "rules/words/book_lines.hpp"
 #include "rules/words/dinplus/codes.hpp"
+#include "rules/words/dinplus/common_lines.hpp"
 
 namespace maclint::code_books {
 namespace {
@@ -36,9 +37,9 @@ constexpr BookLine lines[] = {
         word("U", 12759, "shift in U").without("axis not shifted"),
         word("V", 12760, "shift in V").without("axis not shifted"),
         word("W", 12761, "shift in W").without("axis not shifted"),
-        refused(23218, "no other shift is allowed in a tilted plane").while_on("tilted plane").as(error).also("DIN631"),
+        no_shift_in_tilted_plane,
     code("G53 G54 G55", 12777, "zero point shift by a stored offset"),
-        refused(23218, "no other shift is allowed in a tilted plane").while_on("tilted plane").as(error).also("DIN631"),
+        no_shift_in_tilted_plane,
     code("G56", 12793, "additive zero point shift"),
         word("X", 12799, "shift in X, a radius").without("axis not shifted"),
         word("Y", 12800, "shift in Y").without("axis not shifted"),
@@ -46,7 +47,7 @@ constexpr BookLine lines[] = {
         word("U", 12802, "shift in U").without("axis not shifted"),
         word("V", 12803, "shift in V").without("axis not shifted"),
         word("W", 12804, "shift in W").without("axis not shifted"),
-        refused(23218, "no other shift is allowed in a tilted plane").while_on("tilted plane").as(error).also("DIN631"),
+        no_shift_in_tilted_plane,
     code("G59", 12822, "absolute zero point shift"),
         word("X", 12828, "shift in X, a radius").without("axis not shifted"),
         word("Y", 12829, "shift in Y").without("axis not shifted"),
@@ -54,7 +55,7 @@ constexpr BookLine lines[] = {
         word("U", 12831, "shift in U").without("axis not shifted"),
         word("V", 12832, "shift in V").without("axis not shifted"),
         word("W", 12833, "shift in W").without("axis not shifted"),
-        refused(23218, "no other shift is allowed in a tilted plane").while_on("tilted plane").as(error).also("DIN631"),
+        no_shift_in_tilted_plane,
     code("G50", 12850, "oversize of the contour off"),
         apart(turning_cycles, 12852, "it stands before the cycle"),
     code("G52", 12850, "oversize of the contour off, written G50 today"),
@@ -80,18 +81,18 @@ constexpr BookLine lines[] = {
         apart(motions, 13012, "the correction counts from the block after").also("DIN625"),
     code("G150", 13045, "right tool tip is the reference"),
         apart("G151", 10226, "one tip is the reference"),
-        refused(13057, "the side of the compensation changes with the tip").under("G41 G42").also("DIN622"),
+        side_changes_with_tip,
     code("G151", 13045, "left tool tip is the reference"),
-        refused(13057, "the side of the compensation changes with the tip").under("G41 G42").also("DIN622"),
+        side_changes_with_tip,
     code("G920", 18155, "zero point shifts off"),
-        refused(18566, "zero points and tool lengths stay as they are in HDT mode").while_on("HDT mode").as(error).also("DIN915"),
+        kept_in_hdt_mode,
     code("G921", 18161, "zero point shifts and tool dimensions off"),
-        refused(18566, "zero points and tool lengths stay as they are in HDT mode").while_on("HDT mode").as(error).also("DIN915"),
+        kept_in_hdt_mode,
     code("G980", 18391, "zero point shifts on"),
-        refused(18566, "zero points and tool lengths stay as they are in HDT mode").while_on("HDT mode").as(error).also("DIN915"),
+        kept_in_hdt_mode,
         refused(18397, "tool lengths come back with G981").while_on("suspension of zero points and tool lengths").also("DIN635"),
     code("G981", 18395, "zero point shifts and tool dimensions on"),
-        refused(18566, "zero points and tool lengths stay as they are in HDT mode").while_on("HDT mode").as(error).also("DIN915"),
+        kept_in_hdt_mode,
         refused(18393, "what G920 has switched off comes back with G980").while_on("suspension of zero points").also("DIN635"),
 };
 // clang-format on

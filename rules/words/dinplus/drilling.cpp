@@ -1,6 +1,7 @@
 //! DIN PLUS: drilling and patterns. Numbers are lines of the manual.
 #include "rules/words/book_lines.hpp"
 #include "rules/words/dinplus/codes.hpp"
+#include "rules/words/dinplus/common_lines.hpp"
 
 namespace maclint::code_books {
 namespace {
@@ -23,8 +24,7 @@ constexpr BookLine lines[] = {
         word("P", 15595, "depth between chip breaks"),
         word("I", 15596, "retraction distance"),
         needs("X Z", 15584, "end point", "nothing tells a radial hole from an axial one").as(error),
-        refused(10346, "the tool cuts with no spindle turning").when("-M").while_off("main spindle, spindle 1, spindle 2, spindle 3").also("DIN604"),
-        refused(12609, "the control leaves the constant cutting speed for the tool, and the speed jumps").under("G96").also("DIN609"),
+        wants_spindle, turns_speed_over,
     code("G71", 15623, "simple drilling"),
         word("ID", 15629, "name of the hole"),
         word("NS", 15630, "block of the hole").without("single hole without contour"),
@@ -49,10 +49,7 @@ constexpr BookLine lines[] = {
         excludes("XS XE", "ZE", 15672, "a hole is radial or axial").when("-ID -NS -ZS").also("DIN802"),
         excludes("XE", "ZS", 15672, "a hole is radial or axial").when("-ID -NS -XS").also("DIN802"),
         needs("ID NS NF XE ZE K X Z", 15672, "", "the hole has no end").unless_after("G743 G744 G745 G746"),
-        names_none("NS", "G401 G402 G411 G412 G471 G472 G481 G482 G301 G302 G303 G304 G305 G307 G311 G312 G313 G314 G315 G317 G0 G1 G2 G3 G12 G13 G306 G316 G22 G23 G24 G25 G34 G37", "G49 G300 G310", 20812, "it drills holes, and a pattern is named by its hole").also("DIN228"),
-        refused(10346, "no feed has been given").when("-F").while_off("feed").as(error).also("DIN605"),
-        refused(10346, "the tool cuts with no spindle turning").when("-M").while_off("main spindle, spindle 1, spindle 2, spindle 3").also("DIN604"),
-        refused(12609, "the control leaves the constant cutting speed for the tool, and the speed jumps").under("G96").also("DIN609"),
+        names_hole, wants_feed, wants_spindle, turns_speed_over,
     code("G72", 15702, "boring or countersinking"),
         word("ID", 15716, "name of the hole"),
         word("NS", 15717, "block of the hole"),
@@ -63,10 +60,7 @@ constexpr BookLine lines[] = {
         word("BE", 15725, "last hole of the pattern"),
         word("H", 15726, "spindle brake: 0 on, 1 off", "0 1").without("0"),
         needs("ID NS", 15552, "", "no hole is named").as(error).also("DIN803"),
-        names_none("NS", "G401 G402 G411 G412 G471 G472 G481 G482 G301 G302 G303 G304 G305 G307 G311 G312 G313 G314 G315 G317 G0 G1 G2 G3 G12 G13 G306 G316 G22 G23 G24 G25 G34 G37", "G49 G300 G310", 20812, "it drills holes, and a pattern is named by its hole").also("DIN228"),
-        refused(10346, "no feed has been given").when("-F").while_off("feed").as(error).also("DIN605"),
-        refused(10346, "the tool cuts with no spindle turning").when("-M").while_off("main spindle, spindle 1, spindle 2, spindle 3").also("DIN604"),
-        refused(12609, "the control leaves the constant cutting speed for the tool, and the speed jumps").under("G96").also("DIN609"),
+        names_hole, wants_feed, wants_spindle, turns_speed_over,
     code("G73", 15746, "tapping"),
         word("ID", 15752, "name of the hole"),
         word("NS", 15753, "block of the hole").without("single hole without contour"),
@@ -91,9 +85,7 @@ constexpr BookLine lines[] = {
         excludes("XE", "ZS", 15778, "a hole is radial or axial").when("-ID -NS -XS").also("DIN802"),
         needs("XE ZE K ID NS", 15778, "", "the hole has no end").unless_after("G743 G744 G745 G746"),
         needs("F", 15761, "pitch of the thread", "the thread has no pitch").when("-ID -NS").also("DIN808"),
-        names_none("NS", "G401 G402 G411 G412 G471 G472 G481 G482 G301 G302 G303 G304 G305 G307 G311 G312 G313 G314 G315 G317 G0 G1 G2 G3 G12 G13 G306 G316 G22 G23 G24 G25 G34 G37", "G49 G300 G310", 20812, "it drills holes, and a pattern is named by its hole").also("DIN228"),
-        refused(10346, "the tool cuts with no spindle turning").when("-M").while_off("main spindle, spindle 1, spindle 2, spindle 3").also("DIN604"),
-        refused(12609, "the control leaves the constant cutting speed for the tool, and the speed jumps").under("G96").also("DIN609"),
+        names_hole, wants_spindle, turns_speed_over,
     code("G74", 15808, "deep-hole drilling"),
         word("ID", 15814, "name of the hole"),
         word("NS", 15815, "block of the hole").without("single hole without contour"),
@@ -121,10 +113,7 @@ constexpr BookLine lines[] = {
         excludes("XS XE", "ZE", 15862, "a hole is radial or axial").when("-ID -NS -ZS").also("DIN802"),
         excludes("XE", "ZS", 15862, "a hole is radial or axial").when("-ID -NS -XS").also("DIN802"),
         needs("ID NS XS ZS XE ZE K Z", 15862, "", "the hole has no end").unless_after("G743 G744 G745 G746"), // ZS: example l.15856
-        names_none("NS", "G401 G402 G411 G412 G471 G472 G481 G482 G301 G302 G303 G304 G305 G307 G311 G312 G313 G314 G315 G317 G0 G1 G2 G3 G12 G13 G306 G316 G22 G23 G24 G25 G34 G37", "G49 G300 G310", 20812, "it drills holes, and a pattern is named by its hole").also("DIN228"),
-        refused(10346, "no feed has been given").when("-F").while_off("feed").as(error).also("DIN605"),
-        refused(10346, "the tool cuts with no spindle turning").when("-M").while_off("main spindle, spindle 1, spindle 2, spindle 3").also("DIN604"),
-        refused(12609, "the control leaves the constant cutting speed for the tool, and the speed jumps").under("G96").also("DIN609"),
+        names_hole, wants_feed, wants_spindle, turns_speed_over,
     code("G75", 15907, "bore milling"),
         word("ID", 15913, "name of the hole"),
         word("NS", 15914, "block of the hole"),

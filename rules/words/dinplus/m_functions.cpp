@@ -1,5 +1,6 @@
 //! DIN PLUS: M functions. Numbers are lines of the manual.
 #include "rules/words/book_lines.hpp"
+#include "rules/words/dinplus/common_lines.hpp"
 
 namespace maclint::code_books {
 namespace {
@@ -14,11 +15,9 @@ constexpr BookLine lines[] = {
     code("M0", 20013, "program stop"),
     code("M1", 20014, "optional stop"),
     code("M3", 20039, "main spindle on, clockwise"),
-        refused(20045, "a spindle that is a C axis does not turn").while_on("C axis").also("DIN653"),
-        refused(10346, "no speed has been given").when("-S").while_off("speed").also("DIN606"),
+        not_as_c_axis, wants_speed,
     code("M4", 20040, "main spindle on, counterclockwise"),
-        refused(20045, "a spindle that is a C axis does not turn").while_on("C axis").also("DIN653"),
-        refused(10346, "no speed has been given").when("-S").while_off("speed").also("DIN606"),
+        not_as_c_axis, wants_speed,
     code("M5", 20041, "main spindle off"),
     code("M8", 1863, "coolant circuit 1 on"),
     code("M9", 1880, "all coolant circuits off"),

@@ -1,5 +1,6 @@
 //! DIN PLUS: moves, feeds and speeds. Numbers are lines of the manual.
 #include "rules/words/book_lines.hpp"
+#include "rules/words/dinplus/common_lines.hpp"
 
 namespace maclint::code_books {
 namespace {
@@ -20,8 +21,7 @@ constexpr BookLine lines[] = {
         word("U", 19241, "target of the U axis").without("axis not moved"),
         word("V", 19242, "target of the V axis").without("axis not moved"),
         word("W", 20929, "target of the W axis").without("axis not moved"),
-        refused(18556, "a move in Y runs along X in HDT mode").when("Y").while_on("HDT mode").also("DIN915"),
-        refused(18556, "the B axis cannot move in HDT mode").when("B").while_on("HDT mode").as(error).also("DIN915"),
+        no_y_in_hdt_mode, no_b_in_hdt_mode,
     code("G701", 12272, "rapid traverse in machine coordinates"),
         word("X", 12278, "target diameter from machine zero").without("axis not moved"),
         word("Z", 12279, "target in Z from machine zero").without("axis not moved"),
@@ -61,12 +61,7 @@ constexpr BookLine lines[] = {
         word("W", 12368, "target of the W axis").without("axis not moved"),
         only_with("BE E", "BR B", 12359, "it is the feed of the chamfer or rounding"),
         excludes("E", "BE", 12410, "both are the feed factor"),
-        refused(10346, "no feed has been given").when("-F").while_off("feed").as(error).also("DIN605"),
-        refused(10346, "the tool cuts with no spindle turning").when("-M").under("G95 G93").while_off("main spindle, spindle 1, spindle 2, spindle 3, measuring").also("DIN604"),
-        refused(10343, "nobody knows which tool is at the part").when("-T").while_off("tool").as(error).also("DIN603"),
-        refused(12598, "the speed rises to the highest of the machine").when("X<0.001").under("G96").while_off("speed limit").also("DIN602"),
-        refused(18556, "a move in Y runs along X in HDT mode").when("Y").while_on("HDT mode").also("DIN915"),
-        refused(18556, "the B axis cannot move in HDT mode").when("B").while_on("HDT mode").as(error).also("DIN915"),
+        wants_feed, wants_spindle_per_revolution, wants_tool, wants_speed_limit, no_y_in_hdt_mode, no_b_in_hdt_mode,
     code("G2 G3", 12370, "arc clockwise or counterclockwise, incremental centre"),
         word("X", 12381, "target diameter").without("modal"),
         word("Z", 12382, "target in Z").without("modal"),
@@ -85,9 +80,7 @@ constexpr BookLine lines[] = {
         excludes("B", "BR", 12412, "both are the chamfer or rounding"),
         excludes("R", "I J K", 12383, "the arc is told by its centre or by its radius"),
         takes_not("J", 23350, "a plane has two words for the centre: I and J, I and K, or J and K").when("I K"),
-        refused(10346, "no feed has been given").when("-F").while_off("feed").as(error).also("DIN605"),
-        refused(10346, "the tool cuts with no spindle turning").when("-M").under("G95 G93").while_off("main spindle, spindle 1, spindle 2, spindle 3, measuring").also("DIN604"),
-        refused(10343, "nobody knows which tool is at the part").when("-T").while_off("tool").as(error).also("DIN603"),
+        wants_feed, wants_spindle_per_revolution, wants_tool,
     code("G12 G13", 12421, "arc clockwise or counterclockwise, absolute centre"),
         word("X", 12432, "target diameter").without("modal"),
         word("Z", 12433, "target in Z").without("modal"),
@@ -106,9 +99,7 @@ constexpr BookLine lines[] = {
         excludes("B", "BR", 12412, "both are the chamfer or rounding"),
         excludes("R", "I J K", 12434, "the arc is told by its centre or by its radius"),
         takes_not("J", 23394, "a plane has two words for the centre: I and J, I and K, or J and K").when("I K"),
-        refused(10346, "no feed has been given").when("-F").while_off("feed").as(error).also("DIN605"),
-        refused(10346, "the tool cuts with no spindle turning").when("-M").under("G95 G93").while_off("main spindle, spindle 1, spindle 2, spindle 3, measuring").also("DIN604"),
-        refused(10343, "nobody knows which tool is at the part").when("-T").while_off("tool").as(error).also("DIN603"),
+        wants_feed, wants_spindle_per_revolution, wants_tool,
     code("G26", 12459, "speed limit of the main spindle"),
         word("S", 12468, "highest speed").needed("the speed is not limited"),
     code("G126 G226 G326", 12459, "speed limit of spindle 1, 2 or 3"),

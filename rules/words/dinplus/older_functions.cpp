@@ -1,5 +1,6 @@
 //! DIN PLUS: functions of older controls. Numbers are lines of the manual.
 #include "rules/words/book_lines.hpp"
+#include "rules/words/dinplus/common_lines.hpp"
 
 namespace maclint::code_books {
 namespace {
@@ -48,7 +49,7 @@ constexpr BookLine lines[] = {
         word("Q", 20461, "infeed: 0 rapid traverse, 1 feed", "0 1").without("0"),
         word("V", 20464, "way back: 0 in X alone, 1 to the start", "0 1").without("0"),
         word("H", 20467, "smoothing: 0 after each cut, 2 none", "0 2"),
-        refused(12598, "the speed rises to the highest of the machine").when("X<0.001").under("G96").while_off("speed limit").also("DIN602"),
+        wants_speed_limit,
     code("G83", 20495, "repetition of the blocks up to G80"),
         word("X", 20501, "target diameter").without("last X"),
         word("Z", 20502, "target in Z").without("last Z"),
@@ -79,7 +80,7 @@ constexpr BookLine lines[] = {
         word("F", 20663, "pitch of the thread").needed("the thread has no pitch"),
         word("U", 20664, "depth of the thread, above 0 inside").needed("the thread has no depth"),
         word("I", 20668, "greatest depth of a cut").without("calculated from pitch and depth"),
-        refused(12598, "the speed changes with the diameter, and the lead with it").under("G96").also("DIN723"),
+        not_under_constant_cutting_speed,
     code("G351", 20684, "longitudinal thread of several starts"),
         word("Z", 20690, "end of the thread").needed("the thread has no length"),
         word("F", 20691, "pitch of the thread").needed("the thread has no pitch"),
@@ -89,7 +90,7 @@ constexpr BookLine lines[] = {
         word("D", 20700, "number of starts").without("1"),
         word("J", 20701, "depth of the last cut").without("0.01"),
         word("E", 20702, "change of the pitch per revolution").without("0"),
-        refused(12598, "the speed changes with the diameter, and the lead with it").under("G96").also("DIN723"),
+        not_under_constant_cutting_speed,
     code("G15", 23226, "turning of the B axis, in the example of G16 alone").off(not_described),
         word("B", 23226, "position of the B axis"),
 };

@@ -1,6 +1,7 @@
 //! DIN PLUS: threads and undercuts. Numbers are lines of the manual.
 #include "rules/words/book_lines.hpp"
 #include "rules/words/dinplus/codes.hpp"
+#include "rules/words/dinplus/common_lines.hpp"
 
 namespace maclint::code_books {
 namespace {
@@ -40,9 +41,9 @@ constexpr BookLine lines[] = {
         excludes("I", "IC", 6824, "the number of cuts gives their depth"),
         takes_not("IC", 14659, other_cuts).when("V=2|3|4|5|6").also("DIN718"),
         only_with("R", "V=4", 14685, "other kinds of infeed leave no such cuts"),
-        refused(12598, "the speed changes with the diameter, and the lead with it").under("G96").also("DIN723"),
+        not_under_constant_cutting_speed,
         names_none("NS", "G301 G302 G303 G304 G305 G307 G311 G312 G313 G314 G315 G317 G300 G310 G49 G401 G402 G411 G412 G471 G472 G481 G482 G22 G23 G25 G306 G316", "G24 G34 G37", 20812, "it cuts threads"),
-        refused(10346, "the tool cuts with no spindle turning").when("-M").while_off("main spindle, spindle 1, spindle 2, spindle 3").also("DIN604"),
+        wants_spindle,
     code("G32", 14808, "simple thread"),
         word("X", 14822, "end point in X").in_examples(),
         word("Z", 14823, "end point in Z").in_examples(),
@@ -69,8 +70,7 @@ constexpr BookLine lines[] = {
         takes_not("IC", 14835, other_cuts).when("V=2|3|4|5|6").also("DIN718"),
         takes_not("WE", 14851, "it tells how to lift off without a run-out").when("K!0"),
         value("E", "0", 14868, "a change of the pitch has no effect at present").as(note).also("DIN726"),
-        refused(12598, "the speed changes with the diameter, and the lead with it").under("G96").also("DIN723"),
-        refused(10346, "the tool cuts with no spindle turning").when("-M").while_off("main spindle, spindle 1, spindle 2, spindle 3").also("DIN604"),
+        not_under_constant_cutting_speed, wants_spindle,
     code("G33", 14904, "thread, single cut"),
         word("X", 14912, "end point in X"),
         word("Z", 14913, "end point in Z"),
@@ -84,9 +84,9 @@ constexpr BookLine lines[] = {
         word("K", 14925, "retraction in Z"),
         needs("X Z", 14912, "end point", "the thread has no end"),
         value("E", "0", 14923, "a change of the pitch has no effect at present").as(note).also("DIN726"),
-        refused(12598, "the speed changes with the diameter, and the lead with it").under("G96").also("DIN723"),
+        not_under_constant_cutting_speed,
         refused(14904, "the lead counts per revolution").under("G93 G94").as(error).also("DIN724"),
-        refused(10346, "the tool cuts with no spindle turning").when("-M").while_off("main spindle, spindle 1, spindle 2, spindle 3").also("DIN604"),
+        wants_spindle,
     code("G923", 14958, "handwheel override in a thread"),
         word("X", 14964, "largest correction towards X+"),
         word("Z", 14965, "largest correction towards Z+"),
@@ -101,7 +101,7 @@ constexpr BookLine lines[] = {
         word("I", 14986, "largest depth of a cut").without("calculated from pitch and depth"),
         word("Q", 14990, "number of air cuts"),
         word("V", 14991, "kind of infeed", "0 1 2 3 4 5 6"),
-        refused(12598, "the speed changes with the diameter, and the lead with it").under("G96").also("DIN723"),
+        not_under_constant_cutting_speed,
     code("G352", 15022, "tapered API thread"),
         word("X", 15028, "end point in X"),
         word("Z", 15029, "end point in Z").required("the thread has no end"),
@@ -124,7 +124,7 @@ constexpr BookLine lines[] = {
         needs("X W", 15072, "end diameter or taper angle", no_taper).when("XS"),
         needs("XS W", 15072, "start diameter or taper angle", no_taper).when("X"),
         takes_not("W", 15072, "start and end give the taper already").when("XS X"),
-        refused(12598, "the speed changes with the diameter, and the lead with it").under("G96").also("DIN723"),
+        not_under_constant_cutting_speed,
     code("G38", 15100, "thread of any profile"),
         word("ID", 15110, "auxiliary contour of the profile").required("the thread has no profile").also("DIN730"),
         word("NS", 15111, "first block of the contour"),
@@ -145,7 +145,7 @@ constexpr BookLine lines[] = {
         word("O", 15134, "infeed: 0 rapid, 1 feed", "0 1"),
         needs("HID X Z", 15146, "path of the thread", "the thread has no path"),
         takes_not("X Z J", 15146, "the contour of HID is the path").when("HID").as(note).also("DIN731"),
-        refused(12598, "the speed changes with the diameter, and the lead with it").under("G96").also("DIN723"),
+        not_under_constant_cutting_speed,
     code("G85", 15226, "undercut"),
         word("X", 15232, "target in X").in_examples(),
         word("Z", 15233, "target in Z").in_examples(),

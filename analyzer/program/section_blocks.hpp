@@ -1,0 +1,38 @@
+//! The blocks of a section, plain or not, with their words.
+#pragma once
+
+#include "analyzer/program/block_view.hpp"
+
+#include <span>
+
+namespace maclint {
+
+/// `visit(BlockView, words)` for each block of the section that has words.
+template<class Visit>
+void for_each_block_of(const Program& program, const Section& section, const Visit& visit) {
+    for_each_block_with_words(
+        program, section.items, [](const PlainRun& run, const auto& take) { take(run.span); },
+        [](const WordSummary&) { return true; },
+        [&](const BlockView& block, std::span<const Word> words, const WordSummary*) {
+            visit(block, words);
+        });
+}
+
+/// `visit(BlockView, words)` for each block with one of the addresses in the parts of the program that run.
+template<class Visit>
+void for_each_running_block_with(const Program& program, std::string_view addresses, const Visit& visit) {
+    const syntax::AddressSet wanted = addresses_named(program, addresses);
+    for (const Section& section : program.sections)
+        if (section.executed == Section::Executed::when_reached)
+            for_each_block_with_words(
+                program, section.items,
+                [&](const PlainRun& run, const auto& take) {
+                    if (run.words.addresses.meets(wanted)) take(run.span);
+                },
+                [&](const WordSummary& words) { return words.addresses.meets(wanted); },
+                [&](const BlockView& block, std::span<const Word> words, const WordSummary*) {
+                    visit(block, words);
+                });
+}
+
+} // namespace maclint
