@@ -18,10 +18,18 @@ struct Example {
         , complete(in_complete_folder)
         , file(file_name) {}
 
+    /// The same program where the control's entry of the configuration holds these keys.
+    [[nodiscard]] Example on_control_with(std::string_view keys) const {
+        Example other = *this;
+        other.control = keys;
+        return other;
+    }
+
     std::string_view dialect; ///< as --dialect takes it
     std::string_view text;
-    bool complete;         ///< shown in a folder that the configuration declares complete
-    std::string_view file; ///< its name
+    bool complete;                 ///< shown in a folder that the configuration declares complete
+    std::string_view file;         ///< its name
+    std::string_view control = {}; ///< keys of the control's entry in the configuration: `"at-end": ["M9"]`
 };
 
 } // namespace maclint

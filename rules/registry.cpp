@@ -117,6 +117,7 @@
     RULE(restore_from_wrong_variable)           /* MAC505 */ \
     RULE(saved_value_lost)                      /* MAC506 */ \
     RULE(saved_state_never_restored)            /* MAC507 */ \
+    RULE(cancel_order)                          /* MAC509 */ \
     RULE(compensation_without_move)             /* MAC510 */ \
     RULE(compensation_started_on_arc)           /* MAC511 */ \
     RULE(no_move_blocks_in_compensation)        /* MAC513 */ \
@@ -137,6 +138,7 @@
     RULE(tool_change_unprepared)                /* MAC528 */ \
     RULE(chamfer_or_corner)                     /* MAC529 */ \
     RULE(tapping_order)                         /* MAC530 */ \
+    RULE(mode_kept_across_change)               /* MAC531 */ \
     RULE(cycle_depth_above_level)               /* MAC532 */ \
     RULE(profile_cannot_be_turned)              /* MAC533 */ \
     RULE(turret_turned_at_work)                 /* MAC534 */ \
@@ -147,6 +149,7 @@
     RULE(rapid_through_work)                    /* MAC555 */ \
     RULE(full_circle_by_radius)                 /* MAC558 */ \
     RULE(duplicate_address)                     /* MAC559 */ \
+    RULE(safety_line_missing)                   /* MAC562 */ \
     RULE(canned_cycle_data_mode)                /* MAC564 */ \
     RULE(canned_k0_misuse)                      /* MAC565 */ \
     RULE(dwell_format)                          /* MAC566 */ \
@@ -166,6 +169,7 @@
     RULE(too_many_words)                        /* MAC584 */ \
     RULE(feed_under_rapid)                      /* MAC585 */ \
     RULE(left_switched_on)                      /* MAC586 */ \
+    RULE(shop_limits)                           /* MAC587 */ \
     RULE(alarm_number_out_of_range)             /* MAC601 */ \
     RULE(missing_argument_validation)           /* MAC604 */ \
     RULE(position_read_ahead)                   /* MAC605 */ \

@@ -22,6 +22,12 @@ bool has_odd_numbers(const Arc& arc) {
 void Habits::see(const Step& step, const Program& program) {
     const ControlModel& control = *program.control;
     see_arc(step, program);
+    kept_modes_.see(step, control);
+    constexpr ModalRole length_mode = ModalRole::length_compensation;
+    if (step.before.of(length_mode).is_known() && step.after.of(length_mode).is_known() &&
+        step.before.of(length_mode).value != step.after.of(length_mode).value &&
+        !is_surely_on(step.after, control, length_mode))
+        last_end_of_length_offset_ = step.block.span.begin;
     moves_ = moves_ || step.move != Move::none;
     if (step.changes_tool) {
         ++changes_;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "analyzer/machine/arc.hpp"
+#include "analyzer/machine/kept_modes.hpp"
 #include "analyzer/machine/step.hpp"
 
 #include <cstddef>
@@ -47,6 +48,11 @@ class Habits {
     /// writes its circles so.
     [[nodiscard]] const Arc* wrong_arc(Offset block) const;
 
+    /// What it keeps over a change of tool or work offset.
+    [[nodiscard]] const KeptModes& kept_modes() const { return kept_modes_; }
+    /// The last block that ends a length offset which the program has chosen; 0: there is none.
+    [[nodiscard]] Offset last_end_of_length_offset() const { return last_end_of_length_offset_; }
+
     /// Of a lathe: how often the tool is taken far from its work before the turret turns, or may.
     [[nodiscard]] int retreats() const { return retreats_; }
     /// The largest X at which it cuts; nothing where nobody can say.
@@ -64,6 +70,8 @@ class Habits {
          names_tools_ = false;
     int changes_ = 0, changes_with_length_offset_ = 0, changes_with_start_ = 0;
     bool waits_for_offset_ = false, waits_for_start_ = false;
+    KeptModes kept_modes_;
+    Offset last_end_of_length_offset_ = 0;
     std::map<std::pair<double, double>, int> pairs_; ///< tool and offset
     std::map<Offset, Arc> wrong_arcs_;               ///< by their blocks
     std::size_t arcs_ = 0, odd_arcs_ = 0;            ///< circles; those whose numbers do not fit

@@ -41,6 +41,8 @@ inline constexpr double not_since_change = -1;
 /// The tool that a change has brought is in the spindle, and no other was prepared since.
 inline constexpr double none_prepared = -1;
 
+inline constexpr Offset no_block = std::numeric_limits<Offset>::max();
+
 class State {
   public:
     bool is_reached = false;
@@ -59,6 +61,13 @@ class State {
     /// 1: rigid tapping is switched on; 2: and a block followed that may not stand before its cycle.
     Known rigid_tapping;
     Known profile_end; ///< number of the block that ends the profile of a roughing cycle; 0: none runs
+    Known coolant;     ///< the function that switched it on or off
+    /// Of the shop's demands (ShopDemands::blocks), a bit each: the block may stand before. Those of a tool
+    /// change and of the end count since the last cut.
+    std::uint64_t demands_met = 0;
+    /// A path leads here on which no length offset was chosen since the tool change in this block.
+    Offset without_offset_since = no_block;
+    Offset offset_chosen_at = no_block; ///< where another path has chosen one
     Position position = {nowhere, nowhere, nowhere};
     Position cycle_start = {nowhere, nowhere, nowhere}; ///< where such a cycle began, and will end
     std::array<bool, 3> is_moved = {};                  ///< axes whose position this program has touched
@@ -73,12 +82,19 @@ class State {
     void forget_position();
     /// Takes in what another path says: what differs is unknown. Whether that changes anything.
     bool add(const State& other);
+    /// By a word of a block.
+    void choose_length_offset(Known offset) {
+        length_offset = offset;
+        without_offset_since = offset_chosen_at = no_block;
+    }
     /// After a call of the block: what the called program has not touched is as before.
     void go_on_with(const State& end_of_called, Offset block);
 
   private:
     static constexpr std::size_t roles = static_cast<std::size_t>(ModalRole::feed_hold) + 1;
 
+    /// Before `length_offset` takes in what the other path says.
+    [[nodiscard]] bool add_missing_offset(const State& other);
     /// `visit(Known State::*…)` of two states in step.
     template<class Visit>
     static void for_each_two(State& a, const State& b, const Visit& visit);

@@ -1,7 +1,9 @@
 //! Runs a block: codes first, then the tool and its offsets, then the move.
 #include "analyzer/machine/step.hpp"
 
+#include "analyzer/machine/demands.hpp"
 #include "analyzer/program/overloaded.hpp"
+#include "analyzer/program/shop_demands.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -70,6 +72,14 @@ bool may_be_on(const State& state, const ControlModel& control, ModalRole role) 
            !(mode.is_known() && mode.value == code_off(control, role));
 }
 
+bool counts_from_elsewhere(const State& state, const ControlModel& control) {
+    constexpr std::array roles = {ModalRole::local_offset,       ModalRole::scaling,
+                                  ModalRole::rotation,           ModalRole::mirror_image,
+                                  ModalRole::polar_coordinates,  ModalRole::tilted_plane,
+                                  ModalRole::polar_interpolation};
+    return std::ranges::any_of(roles, [&](ModalRole role) { return may_be_on(state, control, role); });
+}
+
 bool takes_feed(const Step& step, const MachineWords& machine) {
     if (step.words.has_one_of(machine.returning)) return false;
     const Known& motion = step.after.of(ModalRole::motion);
@@ -86,6 +96,8 @@ Stepper::Stepper(const Program& program, const MachineWords& machine)
     : program_(&program)
     , control_(program.control)
     , machine_(&machine)
+    , demands_(control_->demands != nullptr && !control_->demands->blocks.empty() ? control_->demands.get()
+                                                                                  : nullptr)
     , spindle_(control_->group_with(ModalRole::spindle))
     , cycle_(control_->group_with(ModalRole::cycle))
     , has_distance_(control_->group_with(ModalRole::distance).has_value())
@@ -119,6 +131,17 @@ void Stepper::apply(State& state, const BlockView& block, const Words& words) {
     if (moves_) move(state, words, block.span.begin);
     watch_tapping(state, block, words);
     run_profile(state, block, words);
+    if (demands_ != nullptr) watch_demands(state, words);
+}
+
+void Stepper::watch_demands(State& state, const Words& words) const {
+    const bool begins_anew = changes_tool_ || move_ == Move::feed || move_ == Move::cycle;
+    for (std::size_t i = 0; i < demands_->blocks.size(); ++i) {
+        const DemandedBlock& block = demands_->blocks[i];
+        const std::uint64_t bit = std::uint64_t{1} << i;
+        if (begins_anew && block.place != DemandedBlock::Place::start) state.demands_met &= ~bit;
+        if (says(words, state, *control_, block)) state.demands_met |= bit;
+    }
 }
 
 /// The blocks of a profile stand behind the cycle that reads them. The control goes on behind the last, with
@@ -162,12 +185,18 @@ void Stepper::apply_effects(State& state, const BlockView& block) {
             effect.what);
 }
 
-/// A function of the machine that no table knows may start its spindle, or stop it.
+/// A function of the machine that no table knows may start its spindle or coolant, or stop it.
 void Stepper::apply_functions(State& state, const Words& words, Offset here) const {
-    for (const double function : words.m_codes())
-        if (!contains(machine_->aside, function) &&
-            (!spindle_ || control_->group_of('M', function) != spindle_))
-            state.of(ModalRole::spindle) = Known::nothing();
+    for (const double function : words.m_codes()) {
+        const bool is_of_coolant =
+            contains(machine_->coolant_on, function) || function == machine_->coolant_off;
+        if (is_of_coolant) state.coolant = Known::of(function, here);
+        if (contains(machine_->aside, function) ||
+            (spindle_ && control_->group_of('M', function) == spindle_))
+            continue;
+        state.of(ModalRole::spindle) = Known::nothing();
+        if (!is_of_coolant) state.coolant = Known::nothing();
+    }
     if (contains(words.m_codes(), machine_->rigid_tapping)) state.rigid_tapping = Known::of(1, here);
 }
 
@@ -229,7 +258,10 @@ void Stepper::change_tool(State& state, const BlockView& block, const Words& wor
     state.prepared = Known::of(none_prepared, here);
     state.rigid_tapping = Known::of(0, here);
     if (!state.cutter_offset.is(0)) state.cutter_offset = Known::of(not_since_change, here);
-    state.length_offset = state.length_offset.is(0) ? state.length_offset : Known::of(not_since_change, here);
+    if (!state.length_offset.is(0)) {
+        state.choose_length_offset(Known::of(not_since_change, here));
+        state.without_offset_since = here;
+    }
     if (machine_->change_stops_spindle && spindle_off_)
         state.of(ModalRole::spindle) = Known::of(*spindle_off_, here);
 }
@@ -248,13 +280,14 @@ void Stepper::watch_tapping(State& state, const BlockView& block, const Words& w
 }
 
 void Stepper::choose_offsets(State& state, const BlockView& block, const Words& words) const {
-    const auto choose = [&](char letter, Known& offset) {
-        if (letter == 0 || !words.has(letter)) return;
+    const auto chosen = [&](char letter) {
         const auto number = words.number(letter);
-        offset = number ? Known::of(number->value, block.span.begin) : Known::nothing();
+        return number ? Known::of(number->value, block.span.begin) : Known::nothing();
     };
-    choose(machine_->length_offset, state.length_offset);
-    choose(machine_->cutter_offset, state.cutter_offset);
+    if (machine_->length_offset != 0 && words.has(machine_->length_offset))
+        state.choose_length_offset(chosen(machine_->length_offset));
+    if (machine_->cutter_offset != 0 && words.has(machine_->cutter_offset))
+        state.cutter_offset = chosen(machine_->cutter_offset);
 }
 
 Move Stepper::kind_of_move(const State& state, const Words& words) const {

@@ -93,6 +93,8 @@ inline constexpr double millimetres_of_inch = 25.4;
 [[nodiscard]] bool is_surely_on(const State& state, const ControlModel& control, ModalRole role);
 /// Whether it may be: what the caller left is taken for off.
 [[nodiscard]] bool may_be_on(const State& state, const ControlModel& control, ModalRole role);
+/// Whether positions may count from elsewhere than the work offset says, or not along X and Y.
+[[nodiscard]] bool counts_from_elsewhere(const State& state, const ControlModel& control);
 /// Whether the block moves by the F in force: those of a profile have their own, and that of a thread is its
 /// lead.
 [[nodiscard]] bool takes_feed(const Step& step, const MachineWords& machine);
@@ -121,6 +123,7 @@ class Stepper {
     void apply_effects(State& state, const BlockView& block);
     void apply_functions(State& state, const Words& words, Offset here) const;
     void apply_settings(State& state, const BlockView& block) const;
+    void watch_demands(State& state, const Words& words) const;
     void change_tool(State& state, const BlockView& block, const Words& words) const;
     void watch_tapping(State& state, const BlockView& block, const Words& words) const;
     void choose_offsets(State& state, const BlockView& block, const Words& words) const;
@@ -134,6 +137,7 @@ class Stepper {
     const Program* program_;
     const ControlModel* control_;
     const MachineWords* machine_;
+    const ShopDemands* demands_; ///< nullptr: no blocks are demanded
     std::optional<GroupId> spindle_, cycle_;
     std::optional<double> spindle_off_, cycle_off_;
     bool has_distance_, has_level_; ///< groups that not every control has

@@ -29,12 +29,6 @@ namespace {
 constexpr std::size_t x_axis = 0, y_axis = 1, z_axis = 2;
 /// More moves come from CAM systems, which know what is cut.
 constexpr std::size_t most_ways = 4000;
-/// Positions under these count from elsewhere, or not along X and Y.
-constexpr std::array turned = {ModalRole::local_offset,       ModalRole::scaling,
-                               ModalRole::rotation,           ModalRole::mirror_image,
-                               ModalRole::polar_coordinates,  ModalRole::tilted_plane,
-                               ModalRole::polar_interpolation};
-
 /// The ways of a program in the order of the text, as far as its positions are known.
 class Gatherer {
   public:
@@ -114,9 +108,7 @@ void Gatherer::add_arc(const Step& step, const Point& from, const Point& to, dou
 void Gatherer::see(const Step& step) {
     if (!is_usable_) return;
     // What a called program cuts is not known here.
-    is_usable_ = !step.calls && ways_.size() <= most_ways && std::ranges::all_of(turned, [&](ModalRole role) {
-        return !may_be_on(step.after, control_, role);
-    });
+    is_usable_ = !step.calls && ways_.size() <= most_ways && !counts_from_elsewhere(step.after, control_);
     const Known& plane = step.after.of(ModalRole::plane);
     const auto planes = control_.group_with(ModalRole::plane);
     if (planes && plane.is_known() && plane.value != control_.groups[*planes].members.front().number)

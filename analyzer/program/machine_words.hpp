@@ -44,6 +44,9 @@ struct MachineWords {
     std::span<const double> holes = {}, holes_without_x = {};
     /// Machine functions that leave the spindle as it is. Any other may do anything with it.
     std::span<const double> aside = {};
+    /// Machine functions that switch coolant on, and the one that switches all of it off.
+    std::span<const double> coolant_on = {};
+    double coolant_off = 9;
     /// So far the two ends of a circle may lie from one circle around its centre, in mm.
     double circle_tolerance = 0;
     std::string_view source;

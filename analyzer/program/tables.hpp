@@ -15,6 +15,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <memory>
 #include <optional>
 #include <span>
 #include <string>
@@ -24,6 +25,7 @@
 namespace maclint {
 
 struct MachineWords; // machine_words.hpp
+struct ShopDemands;  // shop_demands.hpp
 
 /// Numbers of programs, both included; none where `last` is 0.
 struct ProgramNumbers {
@@ -149,6 +151,8 @@ struct ControlModel {
     /// Which words move its axes and choose its tools; nullptr: nobody has said it.
     const MachineWords* machine_words = nullptr;
     std::span<const Switch> switches = {}; ///< most_switches at most
+    /// What the shop asks of programs for its machine; nullptr: nothing.
+    std::shared_ptr<const ShopDemands> demands = nullptr;
 
     [[nodiscard]] bool has(Capability capability) const;
     /// The one of `lathes` with that system, or nullptr.

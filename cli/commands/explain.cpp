@@ -2,6 +2,7 @@
 //! may mean.
 #include "cli/commands/commands.hpp"
 #include "cli/config/rule_words.hpp"
+#include "cli/config/shop_demands.hpp"
 #include "cli/engine/engine.hpp"
 #include "cli/report/alarm_page.hpp"
 #include "cli/report/code_page.hpp"
@@ -33,6 +34,7 @@ std::vector<std::uint32_t> lines_found(const Example& example, Overrides overrid
     overrides.isolated = true;
     overrides.dialect = find_dialect(example.dialect);
     overrides.complete = example.complete;
+    if (!example.control.empty()) overrides.machine = facts_of_example(example.control);
     Settings settings(std::move(overrides));
     const std::string path(example.file);
     Snapshot snapshot;

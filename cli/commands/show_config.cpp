@@ -4,6 +4,7 @@
 #include "analyzer/dialect/maker_rights.hpp"
 #include "analyzer/program/model.hpp"
 #include "analyzer/program/own_codes.hpp"
+#include "cli/config/shop_demands.hpp"
 #include "cli/engine/read.hpp"
 #include "cli/suggest.hpp"
 
@@ -73,6 +74,13 @@ std::string axes_line(const ControlModel& control) {
 /// Where that is not the rule: a FANUC counts least increments.
 std::string lengths_line(const ControlModel& control) {
     return control.calculator_input ? line("lengths", "without a point in millimetres or inches") : "";
+}
+
+/// Nothing where the shop asks nothing of programs.
+std::string demands_line(const ControlModel& control) {
+    if (control.demands == nullptr) return "";
+    const std::vector<std::string> words = words_of(*control.demands);
+    return words.empty() ? "" : line("demanded", shown(enumerate(words)));
 }
 
 /// What is not as it comes, by reason.
@@ -171,6 +179,7 @@ std::string paragraph(const SnapshotFile& file, const ReadFile& read) {
     out += own_codes_line(*read.file->control);
     out += axes_line(*read.file->control);
     out += lengths_line(*read.file->control);
+    out += demands_line(*read.file->control);
     out += vendor_line(file, read);
     if (!file.settings.baseline.empty()) out += line("baseline", shown(file.settings.baseline));
     out += line("encoding", std::string(name_of(read.source->stored_encoding())));

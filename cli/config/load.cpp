@@ -5,6 +5,7 @@
 #include "cli/config/configuration.hpp"
 #include "cli/config/json_tree.hpp"
 #include "cli/config/selection.hpp"
+#include "cli/config/shop_demands.hpp"
 #include "cli/input/size_limits.hpp"
 #include "cli/suggest.hpp"
 
@@ -144,9 +145,22 @@ class Loader {
     }
 
     std::shared_ptr<const OwnControl> read_control(const JsonMember& member) {
-        static constexpr std::array<std::string_view, 13> known = {
-            "model", "machine", "gcode-system", "block-if", "limits", "stops-look-ahead", "codes",
-            "lacks", "calls",   "parameters",   "options",  "axes",   "calculator-input"};
+        static constexpr std::array<std::string_view, 16> known = {"model",
+                                                                   "machine",
+                                                                   "gcode-system",
+                                                                   "block-if",
+                                                                   "limits",
+                                                                   "stops-look-ahead",
+                                                                   "codes",
+                                                                   "lacks",
+                                                                   "calls",
+                                                                   "parameters",
+                                                                   "options",
+                                                                   "axes",
+                                                                   "calculator-input",
+                                                                   "at-start",
+                                                                   "before-tool-change",
+                                                                   "at-end"};
         const auto& settings = object(member.node, "a control");
         const auto model = std::ranges::find(settings, "model", &JsonMember::key);
         if (model == settings.end())
@@ -181,6 +195,7 @@ class Loader {
             if (std::ranges::find(known, setting.key) == known.end())
                 reject_key(setting, {known.begin(), known.end()});
         }
+        read_demands(settings, *base, own.machine);
         return std::make_shared<const OwnControl>(member.key, *base, std::move(lathes), std::move(own));
     }
 
@@ -207,6 +222,30 @@ class Loader {
             for (const JsonMember& parameter : object(setting.node, "'parameters'"))
                 accept(machine.add_parameter(parameter.key, number(parameter.node, parameter.key)),
                        parameter.key_span);
+    }
+
+    /// What the shop asks of programs for the machine.
+    void read_demands(const JsonNode::Object& settings, const ControlModel& model, MachineFacts& machine) {
+        ShopDemands demands;
+        bool has_any = false;
+        const auto take = [&](const JsonMember& member, const std::optional<WrongValue>& wrong) {
+            if (wrong) reject(wrong->span, wrong->message);
+            if (model.machine_words == nullptr)
+                reject(member.key_span, "'" + member.key + "' is not known for the control '" + model.name +
+                                            "', whose programs are not followed so far. Leave it out");
+            has_any = true;
+        };
+        const auto is_one_of = [](const std::vector<std::string>& names, const std::string& key) {
+            return std::ranges::find(names, key) != names.end();
+        };
+        for (const JsonMember& setting : settings) {
+            if (is_one_of(demand_names(), setting.key)) take(setting, read_demand(setting, demands));
+            if (setting.key != "limits") continue;
+            for (const JsonMember& limit : object(setting.node, "'limits'"))
+                if (is_one_of(shop_limit_names(), limit.key))
+                    take(limit, read_shop_limit(limit, demands.limits));
+        }
+        if (has_any) machine.set_demands(std::move(demands));
     }
 
     void accept(const std::optional<WrongWord>& wrong, Span span) const {
@@ -254,7 +293,13 @@ class Loader {
                                                      {"bracket-levels", &Limits::bracket_levels}}};
         for (const JsonMember& member : object(node, "'limits'")) {
             const auto* const limit = std::ranges::find(known, member.key, &Limit::name);
-            if (limit == known.end()) reject_key(member, names(known));
+            const std::vector<std::string> of_shop = shop_limit_names(); // read_demands
+            if (std::ranges::find(of_shop, member.key) != of_shop.end()) continue;
+            if (limit == known.end()) {
+                std::vector<std::string> all = names(known);
+                all.insert(all.end(), of_shop.begin(), of_shop.end());
+                reject_key(member, all);
+            }
             limits.*(limit->value) = level(member.node, member.key);
         }
     }

@@ -211,6 +211,7 @@ void MachineFacts::apply_to(ControlModel& control) const {
     if (options_) all.add_missing_options(control);
     if (!axes_.empty()) control.axes = axes_;
     if (calculator_input_) control.calculator_input = *calculator_input_;
+    if (demands_ != nullptr) control.demands = demands_;
     control.own_codes = std::move(all.codes_);
     for (const char letter : letters_)
         if (!are_listed(control, letter)) control.letters_listed.push_back(letter);

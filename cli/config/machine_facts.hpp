@@ -1,11 +1,14 @@
 //! What a shop tells of one machine: its own codes, the programs that they call, the codes that it lacks.
 #pragma once
 
+#include "analyzer/program/shop_demands.hpp"
 #include "analyzer/program/tables.hpp"
 
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -19,7 +22,8 @@ struct WrongWord {
 class MachineFacts {
   public:
     [[nodiscard]] bool empty() const {
-        return codes_.empty() && letters_.empty() && axes_.empty() && !options_ && !calculator_input_;
+        return codes_.empty() && letters_.empty() && axes_.empty() && !options_ && !calculator_input_ &&
+               demands_ == nullptr;
     }
 
     /// "G310", several in a row as "M50-M59": codes of the machine's own. There are no others of the letter.
@@ -34,6 +38,10 @@ class MachineFacts {
     [[nodiscard]] std::optional<WrongWord> set_axes(std::string_view letters);
     /// Whether a length without a point is one in millimetres or inches.
     void set_calculator_input(bool value) { calculator_input_ = value; }
+    /// What the shop asks of programs for it.
+    void set_demands(ShopDemands demands) {
+        demands_ = std::make_shared<const ShopDemands>(std::move(demands));
+    }
     /// "G81" that calls "O9010"; "T": any T word does.
     [[nodiscard]] std::optional<WrongWord> add_call(std::string_view code, std::string_view program);
     /// Parameter 6050 of 81: G81 calls O9010. 0: it calls nothing. "6001#5" of 1: T calls O9000.
@@ -52,6 +60,7 @@ class MachineFacts {
     std::string axes_;           ///< empty: not told
     std::optional<std::vector<std::string>> options_;
     std::optional<bool> calculator_input_;
+    std::shared_ptr<const ShopDemands> demands_; ///< nullptr: not told
 };
 
 } // namespace maclint::cli

@@ -70,6 +70,7 @@ void PlainPage::add_source(std::string_view source) {
 std::string origin_of(const Example& example) {
     std::string origin(example.dialect);
     if (example.file != Example::usual_file) origin.append(", ").append(example.file);
+    if (!example.control.empty()) origin.append(", control with ").append(example.control);
     return origin;
 }
 

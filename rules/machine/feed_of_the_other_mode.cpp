@@ -102,15 +102,14 @@ void check(const MachineStep& at, Reporter& reporter) {
     if (!at.cuts() || !feed.is_known() || feed.by_call || mode.by_call || cuts_by_lead(at)) return;
     const MachineWords& letters = at.letters();
     const FeedSize size(at.before(), letters);
-    const std::string block = at.quoted_block();
     const auto group = *at.analysis.control().group_with(ModalRole::feed_mode);
     const auto code = [&](double number) { return at.analysis.control().spell(group, number); };
     if (mode.is(letters.feed_per_revolution)) {
         if (!size.is_too_much_for_a_turn(feed.value) || !at.is_first_of(feed)) return;
         reporter
             .report(at.cause(), at.block(), "per_revolution",
-                    {block, number_word(feed.value), code(letters.feed_per_revolution), at.line_of(mode),
-                     code(letters.feed_per_minute)})
+                    {at.quoted_block(), number_word(feed.value), code(letters.feed_per_revolution),
+                     at.line_of(mode), code(letters.feed_per_minute)})
             .related.push_back(at.at(mode, "feed per revolution begins here"));
         return;
     }
@@ -120,7 +119,7 @@ void check(const MachineStep& at, Reporter& reporter) {
     if (!at.is_first_of(mode)) return;
     reporter
         .report(at.cause(), at.block(), "per_minute",
-                {block, number_word(feed.value), code(letters.feed_per_minute), at.line_of(mode),
+                {at.quoted_block(), number_word(feed.value), code(letters.feed_per_minute), at.line_of(mode),
                  code(letters.feed_per_revolution)})
         .related.push_back(at.at(mode, "feed per minute begins here"));
 }

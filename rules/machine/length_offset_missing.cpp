@@ -1,4 +1,5 @@
 //! MAC568: a tool that goes to its work without its length offset.
+#include "rules/machine/offset_skipped.hpp"
 #include "rules/machine/offset_taken_back.hpp"
 #include "rules/path.hpp"
 
@@ -13,8 +14,7 @@ extern const Rule length_offset_missing{
     .name = "length-offset-missing",
     .summary = "A tool goes to its work without a length offset, which the program gives its other tools",
     .why = "The control counts with the length of the tool before, or with none: the tool stops above the "
-           "work, or "
-           "runs into it.",
+           "work, or runs into it.",
     .severity = Severity::warning,
     .precision = Precision::high,
     .messages =
@@ -22,6 +22,9 @@ extern const Rule length_offset_missing{
           "No tool length offset: '{0}' moves in Z with the tool of {1}, for which no offset has been "
           "chosen.",
           "Choose it with G43 H before, or in this block."},
+         {"path",
+          "No tool length offset on one path: '{0}' moves in Z with the tool of {1}, past '{2}' of line {3}.",
+          "Choose it where all paths come by."},
          {"taken_back",
           "No tool offset: '{0}' cuts with tool {1}, of which line {2} has taken the offset back.",
           "Write the tool with its offset before it cuts."}},
@@ -77,10 +80,8 @@ O9569(PROBE HEIGHT BY HAND)
 G90 G17 G54
 T1 M6
 S3000 M3
-G0 X0 Y0
-Z50.
-G1 Z-5. F200.
 G0 Z50.
+G1 Z-5. F200.
 M30
 )nc"},
              {"fanuc", R"nc(
@@ -95,7 +96,6 @@ G0 X150. Z120. T0100
 T0300
 G0 X54. Z-22. T0303 M8
 G1 X40. F0.08
-G0 X150. Z120. T0300
 M30
 )nc"}},
     .sources = {"T"},
@@ -111,6 +111,7 @@ void check(const MachineStep& at, Reporter& reporter) {
     if (!at.step.axes[z] || at.step.changes_tool || at.letters().length_offset == 0) return;
     if (at.step.move == Move::elsewhere || at.step.move == Move::unknown || at.step.move == Move::none)
         return;
+    look_for_offset_skipped(at, reporter);
     if (!at.after().length_offset.is(machine::not_since_change) || !at.after().changed.is_known()) return;
     if (!at.before().moved_in_z.is(0) || at.habits.changes_with_length_offset() == 0) return;
     if (at.is_on(at.after(), ModalRole::length_compensation) &&

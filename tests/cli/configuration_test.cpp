@@ -1,4 +1,5 @@
 //! What .maclint.json may say, and what its author is told when it says something else.
+#include "analyzer/program/shop_demands.hpp"
 #include "analyzer/program/tables.hpp"
 #include "cli/config/configuration.hpp"
 #include "cli/config/json_tree.hpp"
@@ -168,6 +169,47 @@ TEST(Configuration, NamesTheMCodesThatStopLookAhead) {
                 HasSubstr("must be a list"));
     EXPECT_THAT(refusal(R"({"controls": {"c": {"model": "nct", "stops-look-ahead": [25]}}})"),
                 HasSubstr("must be a text"));
+}
+
+TEST(Configuration, TakesWhatTheShopDemands) {
+    const TemporaryFolder folder;
+    const auto configuration = load(folder, R"({"controls": {
+        "mill": {"model": "fanuc-30i", "limits": {"speed": [50, 8000], "X": [-5.5, 600], "macro-calls": 3},
+                 "at-end": ["G91G28 z0", "T"]},
+        "plain": {"model": "fanuc-30i", "limits": {"macro-calls": 3}}}})");
+    const ControlModel* mill = configuration->control("mill");
+    ASSERT_NE(mill->demands, nullptr);
+    EXPECT_EQ(mill->limits.macro_calls, 3);
+    EXPECT_EQ(mill->demands->limits.speed.least, 50);
+    EXPECT_EQ(mill->demands->limits.travel[0].greatest, 600);
+    ASSERT_EQ(mill->demands->blocks.size(), 2U);
+    const auto& words = mill->demands->blocks[0].words;
+    ASSERT_EQ(words.size(), 3U);
+    EXPECT_TRUE(words[1].letter == 'G' && words[1].number == 28 && words[2].letter == 'Z');
+    EXPECT_FALSE(mill->demands->blocks[1].words[0].number);
+    ASSERT_EQ(mill->lathes.size(), 3U);
+    EXPECT_EQ(mill->lathes[0]->demands, mill->demands);
+    EXPECT_EQ(configuration->control("plain")->demands, nullptr);
+}
+
+TEST(Configuration, TellsWhatIsNoDemand) {
+    const auto of_control = [](const std::string& keys, const std::string& model) {
+        return refusal(R"({"controls": {"c": {"model": ")" + model + "\", " + keys + "}}}");
+    };
+    EXPECT_THAT(of_control(R"("limits": {"speed": [8000, 50]})", "haas"), HasSubstr("Write the least first"));
+    for (const char* bad : {"\"50\"", "[50]", "[1, 2, 3]", "[null, 3]", "true"})
+        EXPECT_THAT(of_control(R"("limits": {"speed": )" + std::string(bad) + "}", "haas"),
+                    HasSubstr("'speed' must be the greatest number, or the least and the greatest"))
+            << bad;
+    EXPECT_THAT(of_control(R"("limits": {"sped": 5})", "haas"), HasSubstr("Did you mean 'speed'?"));
+    EXPECT_THAT(of_control(R"("at-end": "M9")", "haas"), HasSubstr("'at-end' must be a list of blocks"));
+    for (const char* bad : {"", " ", "M", "N10 M9", "M9;", "(OFF)", "G28 Z[0]", "Z--1", "9"})
+        EXPECT_THAT(of_control(R"("at-end": [")" + std::string(bad) + "\"]", "haas"),
+                    HasSubstr("an entry of 'at-end' is no block of plain words"))
+            << bad;
+    EXPECT_THAT(of_control(R"("at-ends": [])", "haas"), HasSubstr("Did you mean 'at-end'?"));
+    EXPECT_THAT(of_control(R"("at-end": ["M9"])", "dinplus"),
+                HasSubstr("'at-end' is not known for the control"));
 }
 
 TEST(Configuration, TellsUnknownKeysWithTheirPlaceAndTheLikelyOne) {

@@ -1,4 +1,5 @@
 //! Every rule's record is complete, and its examples do what the record says.
+#include "cli/config/shop_demands.hpp"
 #include "tests/support/linted.hpp"
 
 #include <algorithm>
@@ -30,6 +31,7 @@ cli::Result lint_example(const Rule& rule, const Example& example, const std::ve
     overrides.dialect = by_command ? nullptr : find_dialect(example.dialect);
     overrides.select = select;
     overrides.complete = example.complete;
+    overrides.machine = cli::facts_of_example(example.control);
     return lint_texts({{std::string(example.file), std::string(example.text)}}, std::move(overrides));
 }
 

@@ -58,6 +58,77 @@ TEST(LengthOffsetMissing, KnowsThatAPathLeavesItOut) {
     EXPECT_THAT(lines_raised("MAC568", begins + "G53 Z0\n" + other + "M30\n"), IsEmpty());
 }
 
+TEST(LengthOffsetMissing, KnowsThatAPathLeadsAroundTheChoice) {
+    const std::string other = "T2 M6\nG43 H2 Z50.\n";
+    EXPECT_THAT(lines_raised("MAC568", begins + "/ G43 H1 Z50.\nG0 Z5.\n" + other + "M30\n"), ElementsAre(5));
+    EXPECT_THAT(lines_raised("MAC568", begins + "/ G43 H1\nG0 Z5.\nZ2.\n" + other + "M30\n"), ElementsAre(5));
+    EXPECT_THAT(
+        lines_raised("MAC568", begins + "IF[#500EQ1]GOTO9\nG43 H1 Z50.\nN9 G0 Z5.\n" + other + "M30\n"),
+        ElementsAre(6));
+    EXPECT_THAT(lines_raised("MAC568", begins +
+                                           "IF[#500EQ1]GOTO9\nG43 H1 Z50.\nN9 G0 X5.\nIF[#500EQ1]GOTO8\n"
+                                           "Z5.\nN8\n" +
+                                           other + "M30\n"),
+                IsEmpty())
+        << "not on the path that leaves it out";
+    EXPECT_THAT(lines_raised("MAC568", begins +
+                                           "IF[#500EQ1]GOTO8\nG43 H1 Z50.\nGOTO9\nN8 G43 H11 Z50.\n"
+                                           "N9 G0 Z5.\n" +
+                                           other + "M30\n"),
+                IsEmpty());
+    EXPECT_THAT(lines_raised("MAC568", begins + "/ G43 H1 Z50.\nG43 H1\nG0 Z5.\n" + other + "M30\n"),
+                IsEmpty());
+    EXPECT_THAT(lines_raised("MAC568", begins + "/ G43 H1 Z50.\nG0 Z5.\nM30\n"), IsEmpty())
+        << "no other tool";
+    EXPECT_THAT(lines_raised("MAC568", begins + "/ G43 H1 Z50.\nM98 P9000\nG0 Z5.\n" + other + "M30\n"),
+                IsEmpty())
+        << "nobody has O9000";
+}
+
+TEST(ModeKeptAcrossChange, IsOneThatTheProgramEndsElsewhere) {
+    const std::string slot = "G68 X0 Y0 R30.\nG0 X20. Y0\nG1 Z-2. F200.\nG0 Z50.\n";
+    const std::string next = "T2 M6\nG43 H2 Z50.\nG0 X5. Y5.\n";
+    EXPECT_THAT(lines_raised("MAC531", begins + slot + "G69\n" + slot + next + "G69\nM30\n"),
+                ElementsAre(15));
+    EXPECT_THAT(lines_raised("MAC531", begins + slot + next + "G69\nM30\n"), IsEmpty());
+    EXPECT_THAT(lines_raised("MAC531", begins + slot + "G69\n" + slot + next + "T3 M6\nX5.\nG69\n" + slot +
+                                           next + "G69\nM30\n"),
+                IsEmpty())
+        << "the habit is to keep it";
+    EXPECT_THAT(
+        lines_raised("MAC531", begins + slot + "G69\n" + slot + "T2 M6\nG43 H2 Z50.\nG69\nX5.\nM30\n"),
+        IsEmpty())
+        << "it ends before the next tool moves";
+}
+
+TEST(ModeKeptAcrossChange, LetsAShiftBeGivenAgain) {
+    const std::string first = begins + "G52 X10. Y0\nG0 X0 Y0\n";
+    EXPECT_THAT(lines_raised("MAC531", first + "G55 X0\nG52 X0 Y0\nM30\n"), ElementsAre(6));
+    EXPECT_THAT(lines_raised("MAC531", first + "G55\nG52 X20. Y0\nG0 X0\nG52 X0 Y0\nM30\n"), IsEmpty());
+    EXPECT_THAT(lines_raised("MAC531", first + "G55 X0\nG56 X0\nG52 X0 Y0\nM30\n"), IsEmpty());
+    EXPECT_THAT(lines_raised("MAC531", first + "G55 X0\nM30\n"), IsEmpty()) << "MAC502 says it";
+    EXPECT_THAT(lines_raised("MAC531", first + "G54 X0\nG52 X0 Y0\nM30\n"), IsEmpty()) << "the same";
+}
+
+TEST(TransformCancelOrder, IsAboutWhatBeganInside) {
+    const std::string turned = "G68 X0 Y0 R15.\nG43 H1 Z20.\nG1 Z-2. F100.\nG0 Z20.\n";
+    EXPECT_THAT(lines_raised("MAC509", begins + turned + "G69\nG49 Z200.\nM30\n"), ElementsAre(8));
+    EXPECT_THAT(lines_raised("MAC509", begins + turned + "G49 Z200.\nG69\nM30\n"), IsEmpty());
+    EXPECT_THAT(lines_raised("MAC509", begins + turned + "G69\nM30\n"), IsEmpty()) << "nothing is ended";
+    EXPECT_THAT(
+        lines_raised("MAC509", begins + "G43 H1\n" + turned.substr(0, 15) + "G1 X5. F100.\nG69\nG49\nM30\n"),
+        IsEmpty());
+    const std::string shifted = begins + "G43 H1 Z5.\nG52 X40. Y10.\nG68 X0 Y0 R15.\nG0 X5.\n";
+    EXPECT_THAT(lines_raised("MAC509", shifted + "G52 X0 Y0\nG0 X0 Y0\nX5.\nG69\nM30\n"), ElementsAre(9));
+    EXPECT_THAT(lines_raised("MAC509", shifted + "G52 X0 Y0\nG0 Z50.\nG69\nX5.\nM30\n"), IsEmpty());
+    EXPECT_THAT(lines_raised("MAC509", shifted + "G69\nG52 X0 Y0\nX5.\nM30\n"), IsEmpty());
+    EXPECT_THAT(lines_raised("MAC509", begins +
+                                           "G43 H1 Z5.\nG68 X0 Y0 R15.\nG52 X40. Y10.\nG0 X5.\nG52 X0 Y0\n"
+                                           "X0\nG69\nM30\n"),
+                IsEmpty())
+        << "the shift lies in the rotation";
+}
+
 TEST(IncrementalAfterReference, LetsTheTableComeForward) {
     const std::string home = begins + "S500 M3\nG43 H1 Z5.\nG91 G28 Z0\n";
     EXPECT_THAT(lines_raised("MAC524", home + "T2 M6\nG0 X25. Y25.\nM30\n"), ElementsAre(8));

@@ -8,6 +8,8 @@ namespace {
 
 // M00 to M02, M30: stops and ends; M06: change; M07 to M09: coolant; M48, M49: overrides; M98, M99: calls.
 constexpr std::array<double, 12> aside = {0, 1, 2, 6, 7, 8, 9, 30, 48, 49, 98, 99};
+// M13 and M14 are M03 and M04 with coolant.
+constexpr std::array<double, 4> coolant = {7, 8, 13, 14};
 constexpr std::array<double, 4> resetting = {52, 50.3, 92.1, 10};
 constexpr std::array<double, 5> mill_resetting = {52, 92, 92.1, 10, 51};
 constexpr std::array<double, 2> of_machine = {53, 53.1};
@@ -49,6 +51,7 @@ constexpr MachineWords mill = {.axes = {'X', 'Y', 'Z'},
                                .of_machine = of_machine,
                                .clamping = clamping_of_mills,
                                .aside = aside,
+                               .coolant_on = coolant,
                                .circle_tolerance = hundredth,
                                .source = source};
 
@@ -65,6 +68,7 @@ constexpr MachineWords lathe() {
             .holes = holes,
             .holes_without_x = pecking,
             .aside = aside,
+            .coolant_on = coolant,
             .circle_tolerance = hundredth,
             .source = source};
 }
