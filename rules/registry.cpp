@@ -150,6 +150,7 @@
     RULE(full_circle_by_radius)                 /* MAC558 */ \
     RULE(duplicate_address)                     /* MAC559 */ \
     RULE(safety_line_missing)                   /* MAC562 */ \
+    RULE(spindle_or_coolant_left_on)            /* MAC563 */ \
     RULE(canned_cycle_data_mode)                /* MAC564 */ \
     RULE(canned_k0_misuse)                      /* MAC565 */ \
     RULE(dwell_format)                          /* MAC566 */ \

@@ -32,6 +32,7 @@ void Habits::see(const Step& step, const Program& program) {
     if (step.changes_tool) {
         ++changes_;
         waits_for_offset_ = waits_for_start_ = true;
+        see_change(step, control);
     }
     const Known& length = step.after.length_offset;
     if (length.is_known() && length.value > 0 && length.block == step.block.span.begin) {
@@ -50,6 +51,21 @@ void Habits::see(const Step& step, const Program& program) {
     gives_speed_ = gives_speed_ || (step.words.has('S') && !(speed && speed->value == 0));
     names_tools_ = names_tools_ || step.words.has(control.machine_words->tool);
     if (control.machine_words->tool_word_holds_offset) see_lathe(step, control);
+}
+
+void Habits::see_change(const Step& step, const ControlModel& control) {
+    if (!step.before.cut.is(1)) return;
+    const auto count = [](AtChanges& changes, bool is_off, bool is_running) {
+        changes.off += is_off ? 1 : 0;
+        changes.running += is_running ? 1 : 0;
+    };
+    const Known& spindle = step.before.of(ModalRole::spindle);
+    const auto spindle_off = code_off(control, ModalRole::spindle);
+    const bool stops = spindle_off && (spindle.is(*spindle_off) || step.words.has_m(*spindle_off));
+    count(spindle_at_changes_, stops, spindle_runs_into(step, control));
+    const double coolant_off = control.machine_words->coolant_off;
+    const bool closes = step.before.coolant.is(coolant_off) || step.words.has_m(coolant_off);
+    count(coolant_at_changes_, closes, coolant_runs_into(step, control));
 }
 
 void Habits::see_arc(const Step& step, const Program& program) {

@@ -26,6 +26,15 @@ class Habits {
     [[nodiscard]] bool turns_spindle() const { return turns_spindle_; }
     /// Tool changes after which the spindle is started before the tool cuts.
     [[nodiscard]] int changes_with_start() const { return changes_with_start_; }
+    /// What still runs at a change of a tool that has worked, and how often it does and does not.
+    struct AtChanges {
+        int running = 0, off = 0;
+
+        /// Whether the program switches it off before each change but one.
+        [[nodiscard]] bool is_off_at_all_but_one() const { return running == 1 && off >= 2; }
+    };
+    [[nodiscard]] const AtChanges& spindle_at_changes() const { return spindle_at_changes_; }
+    [[nodiscard]] const AtChanges& coolant_at_changes() const { return coolant_at_changes_; }
     [[nodiscard]] bool gives_feed() const { return gives_feed_; }
     [[nodiscard]] bool gives_speed() const { return gives_speed_; }
     /// Whether it works with a tool, a spindle or a feed at all: a few blocks that move are no such program.
@@ -64,12 +73,14 @@ class Habits {
 
   private:
     void see_arc(const Step& step, const Program& program);
+    void see_change(const Step& step, const ControlModel& control);
     void see_lathe(const Step& step, const ControlModel& control);
 
     bool moves_ = false, turns_spindle_ = false, gives_feed_ = false, gives_speed_ = false,
          names_tools_ = false;
     int changes_ = 0, changes_with_length_offset_ = 0, changes_with_start_ = 0;
     bool waits_for_offset_ = false, waits_for_start_ = false;
+    AtChanges spindle_at_changes_, coolant_at_changes_;
     KeptModes kept_modes_;
     Offset last_end_of_length_offset_ = 0;
     std::map<std::pair<double, double>, int> pairs_; ///< tool and offset

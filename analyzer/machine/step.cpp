@@ -52,6 +52,7 @@ std::optional<Number> Words::number(char letter) const {
 }
 
 bool Words::has_g(double code) const { return contains(g_codes(), code); }
+bool Words::has_m(double code) const { return contains(m_codes(), code); }
 
 bool Words::has_one_of(std::span<const double> wanted) const {
     return std::ranges::any_of(g_codes(), [&](double code) { return contains(wanted, code); });
@@ -70,6 +71,19 @@ bool may_be_on(const State& state, const ControlModel& control, ModalRole role) 
     const Known& mode = state.of(role);
     return control.group_with(role) && !mode.is_callers() &&
            !(mode.is_known() && mode.value == code_off(control, role));
+}
+
+bool spindle_runs_into(const Step& step, const ControlModel& control) {
+    const auto off = code_off(control, ModalRole::spindle);
+    return off && is_surely_on(step.before, control, ModalRole::spindle) &&
+           !step.before.of(ModalRole::spindle).by_call && !step.words.has_m(*off);
+}
+
+bool coolant_runs_into(const Step& step, const ControlModel& control) {
+    const MachineWords& machine = *control.machine_words;
+    const Known& coolant = step.before.coolant;
+    return coolant.is_known() && !coolant.by_call && contains(machine.coolant_on, coolant.value) &&
+           !step.words.has_m(machine.coolant_off);
 }
 
 bool counts_from_elsewhere(const State& state, const ControlModel& control) {

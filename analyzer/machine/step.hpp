@@ -46,6 +46,7 @@ class Words {
     [[nodiscard]] std::span<const double> g_codes() const { return g_codes_.all(); }
     [[nodiscard]] std::span<const double> m_codes() const { return m_codes_.all(); }
     [[nodiscard]] bool has_g(double code) const;
+    [[nodiscard]] bool has_m(double code) const;
     [[nodiscard]] bool has_one_of(std::span<const double> wanted) const;
     /// From the first word to the last; empty where there are none.
     [[nodiscard]] Span span() const { return span_; }
@@ -98,6 +99,11 @@ inline constexpr double millimetres_of_inch = 25.4;
 /// Whether the block moves by the F in force: those of a profile have their own, and that of a thread is its
 /// lead.
 [[nodiscard]] bool takes_feed(const Step& step, const MachineWords& machine);
+
+/// Whether the spindle, or the coolant, that the program has switched on is on when the block begins and is not
+/// switched off in it.
+[[nodiscard]] bool spindle_runs_into(const Step& step, const ControlModel& control);
+[[nodiscard]] bool coolant_runs_into(const Step& step, const ControlModel& control);
 
 /// Whether a word of the block sets the group of that role.
 [[nodiscard]] bool sets(const ControlModel& control, const BlockView& block, ModalRole role);
