@@ -2,6 +2,7 @@
 #pragma once
 
 #include "cli/config/settings.hpp"
+#include "cli/fix/choose.hpp"
 #include "cli/input/discover.hpp"
 #include "cli/report/report.hpp"
 
@@ -26,6 +27,13 @@ enum class ColourChoice : std::uint8_t { automatic, always, never };
 enum class ShowConfig : std::uint8_t { no, yes };
 enum class ShowFiles : std::uint8_t { no, yes };
 
+/// What becomes of the fixes that findings carry.
+enum class FixUse : std::uint8_t {
+    reported, ///< in reports that have a place for them
+    written,  ///< programs are changed
+    shown,    ///< as a difference, in place of findings
+};
+
 struct CheckRequest {
     std::vector<std::string> paths;
     std::vector<Sink> sinks;
@@ -48,6 +56,8 @@ struct CheckRequest {
     DiscoverOptions discovery;
     bool error_on_empty = false; ///< a run that checks no program is an error
     ExemptionChoice exemptions;
+    FixUse fix_use = FixUse::reported;
+    FixesWanted fixes_wanted = FixesWanted::safe;
 };
 
 enum class ListFormat : std::uint8_t { text, json, markdown };

@@ -100,8 +100,8 @@ inline constexpr double millimetres_of_inch = 25.4;
 /// lead.
 [[nodiscard]] bool takes_feed(const Step& step, const MachineWords& machine);
 
-/// Whether the spindle, or the coolant, that the program has switched on is on when the block begins and is not
-/// switched off in it.
+/// Whether the spindle, or the coolant, that the program has switched on is on when the block begins and is
+/// not switched off in it.
 [[nodiscard]] bool spindle_runs_into(const Step& step, const ControlModel& control);
 [[nodiscard]] bool coolant_runs_into(const Step& step, const ControlModel& control);
 

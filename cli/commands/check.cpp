@@ -4,6 +4,8 @@
 #include "cli/commands/show_config.hpp"
 #include "cli/commands/show_files.hpp"
 #include "cli/engine/engine.hpp"
+#include "cli/fix/fix_programs.hpp"
+#include "cli/fix/write_fixed.hpp"
 #include "cli/gate/gate.hpp"
 #include "cli/gather_notices.hpp"
 #include "cli/report/limit.hpp"
@@ -81,10 +83,14 @@ bool fails(const Report& report, std::optional<Severity> fail_on) {
            });
 }
 
+int exit_status_of(const std::vector<Notice>& notices) {
+    return std::ranges::any_of(notices, &Notice::is_error) ? exit_error : exit_clean;
+}
+
 int exit_of(const std::vector<Notice>& notices) {
     for (const Notice& notice : notices)
         if (notice.is_error()) print_notice(notice);
-    return std::ranges::any_of(notices, &Notice::is_error) ? exit_error : exit_clean;
+    return exit_status_of(notices);
 }
 
 bool is_for_people(Format format) { return format == Format::text || format == Format::concise; }
@@ -143,6 +149,45 @@ int deliver(const CheckRequest& request, Report report) {
     return report.exit_status;
 }
 
+/// What came of the programs.
+struct Checked {
+    Result result;
+    std::vector<Notice> notices;
+    std::vector<FixedFile> fixed; ///< written, or to be shown
+};
+
+std::string fixed_words(const std::vector<FixedFile>& files, FixUse use) {
+    std::size_t findings = 0;
+    for (const FixedFile& file : files) findings += file.findings;
+    return std::string(use == FixUse::shown ? "Would fix " : "Fixed ") + counted(findings, "finding") +
+           " in " + counted(files.size(), "file") + ".\n";
+}
+
+Checked check_programs(const CheckRequest& request, const Snapshot& snapshot, Gate& gate,
+                       Progress& progress) {
+    Engine engine({.jobs = request.jobs, .exemptions = request.exemptions}, progress);
+    Checked checked;
+    const Analyse analyse = [&](const Snapshot& now) {
+        Result result = engine.analyse(now);
+        checked.notices = gate.judge(now, result);
+        return result;
+    };
+    if (request.fix_use == FixUse::reported) {
+        checked.result = analyse(snapshot);
+        return checked;
+    }
+    FixedPrograms fixed = fix_programs(snapshot, request.fixes_wanted, analyse);
+    checked.result = std::move(fixed.result);
+    checked.fixed = std::move(fixed.files);
+    if (request.fix_use == FixUse::written)
+        if (auto failures = write_fixed(checked.fixed, request.paths); !failures.empty()) {
+            checked.result = analyse(snapshot); // as the files are now
+            std::ranges::move(failures, std::back_inserter(checked.notices));
+        }
+    std::ranges::move(fixed.notices, std::back_inserter(checked.notices));
+    return checked;
+}
+
 } // namespace
 
 int run_check(const CheckRequest& request) {
@@ -168,6 +213,7 @@ int run_check(const CheckRequest& request) {
     RunTiming timing{.finding = std::chrono::steady_clock::now() - begun};
     ShownConfig config;
     Result result;
+    std::vector<FixedFile> fixed;
     bool has_baseline = false;
     if (request.show_config == ShowConfig::yes) {
         config = show_config(snapshot);
@@ -184,9 +230,10 @@ int run_check(const CheckRequest& request) {
             return exit_error;
         }
         auto& gate = std::get<Gate>(opened);
-        result =
-            Engine({.jobs = request.jobs, .exemptions = request.exemptions}, *progress).analyse(snapshot);
-        std::ranges::move(gate.judge(snapshot, result), std::back_inserter(notices));
+        Checked checked = check_programs(request, snapshot, gate, *progress);
+        result = std::move(checked.result);
+        fixed = std::move(checked.fixed);
+        std::ranges::move(checked.notices, std::back_inserter(notices));
         has_baseline = gate.has_baseline();
     }
     for (auto* more : {&config.notices, &result.notices})
@@ -198,6 +245,12 @@ int run_check(const CheckRequest& request) {
     progress.reset();
     for (const Notice& notice : notices)
         if (notice.is_error() || !request.quiet) print_notice(notice);
+    if (request.fix_use != FixUse::reported && !request.quiet)
+        print_aside(fixed_words(fixed, request.fix_use));
+    if (request.fix_use == FixUse::shown) {
+        const int status = std::max(print_text(unified_difference(fixed)), exit_status_of(notices));
+        return fixed.empty() ? status : std::max(status, exit_findings);
+    }
     const Timing engine_timing = result.timing;
     Report report = report_of(request, std::move(result), std::move(notices));
     report.passed_over = inputs.passed_over;

@@ -6,6 +6,7 @@
 #include "cli/filter/one_cause.hpp"
 #include "cli/suggest.hpp"
 #include "rules/finding_order.hpp"
+#include "rules/fixes.hpp"
 
 #include <algorithm>
 #include <array>
@@ -261,8 +262,12 @@ class FileSuppressions {
     void report_faults(std::vector<Finding>& findings) const {
         Reporter reporter(*find_rule(unknown_rule));
         for (const Directive& directive : directives_)
-            for (const DirectiveFault& fault : directive.faults)
-                reporter.report({file_, fault.span}, fault.span, fault.message_id, fault.arguments);
+            for (const DirectiveFault& fault : directive.faults) {
+                Finding& finding =
+                    reporter.report({file_, fault.span}, fault.span, fault.message_id, fault.arguments);
+                if (fault.message_id == "similar") // it may allow what nobody has looked at
+                    rules::offer_text(finding, Applicability::unsafe, fault.span, fault.arguments[1]);
+            }
         std::ranges::move(reporter.take(), std::back_inserter(findings));
     }
 

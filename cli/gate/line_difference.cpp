@@ -326,23 +326,20 @@ FirstLine::FirstLine(std::string_view text) {
     size = ends ? end + 1 : text.size();
 }
 
-std::vector<LineRange> changed_lines(std::string_view before, std::string_view after) {
+std::vector<LineDifference> differences(std::string_view before, std::string_view after) {
     const Line beginning = take_common_beginning(before, after);
     take_common_end(before, after);
     const auto older = lines_of(before);
     const auto newer = static_cast<Line>(std::ranges::count(after, '\n') +
                                          (!after.empty() && !after.ends_with('\n') ? 1 : 0));
     const Both both = shared_lines(older, after);
-    std::vector<LineRange> ranges;
+    std::vector<LineDifference> found;
     Line next_before = 0;
     Line next_after = 0;
     const auto close = [&](Line before_number, Line after_number) {
-        const Line first = beginning + next_after; // lines in front of it
-        if (after_number > next_after) {
-            ranges.push_back({first + 1, beginning + after_number});
-        } else if (before_number > next_before) {
-            ranges.push_back({std::max(first, 1U), first + 1});
-        }
+        if (after_number > next_after || before_number > next_before)
+            found.push_back({beginning + next_before, beginning + before_number, beginning + next_after,
+                             beginning + after_number});
         next_before = before_number + 1;
         next_after = after_number + 1;
     };
@@ -350,6 +347,17 @@ std::vector<LineRange> changed_lines(std::string_view before, std::string_view a
     for (const Match& match : matching.matches())
         close(both.before.numbers[match.before], both.after.numbers[match.after]);
     close(static_cast<Line>(older.size()), newer);
+    return found;
+}
+
+std::vector<LineRange> changed_lines(std::string_view before, std::string_view after) {
+    std::vector<LineRange> ranges;
+    for (const LineDifference& one : differences(before, after)) {
+        if (one.after_end > one.after)
+            ranges.push_back({one.after + 1, one.after_end});
+        else
+            ranges.push_back({std::max(one.after, 1U), one.after + 1}); // on both sides of what is gone
+    }
     return ranges;
 }
 

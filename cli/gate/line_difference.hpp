@@ -22,9 +22,17 @@ struct FirstLine {
     std::size_t size;       ///< bytes with its end
 };
 
-/// Lines that were added or changed, and those on both sides of what was taken out, in order. Where so much
-/// differs that a bound of work is met, lines that did not change may be among them. Texts of less than 4
-/// GiB.
+/// Lines [before, before_end) of one text that stand as [after, after_end) in the other; counted from 0.
+struct LineDifference {
+    std::uint32_t before, before_end, after, after_end;
+};
+
+/// What differs, in order. Where so much does that a bound of work is met, lines that did not change may be
+/// among it. Texts of less than 4 GiB.
+[[nodiscard]] std::vector<LineDifference> differences(std::string_view before, std::string_view after);
+
+/// Lines that were added or changed, and those on both sides of what was taken out, in order. Bounded as
+/// `differences`.
 [[nodiscard]] std::vector<LineRange> changed_lines(std::string_view before, std::string_view after);
 
 } // namespace maclint::cli

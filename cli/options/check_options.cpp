@@ -43,6 +43,14 @@ void declare_gate(CLI::App& check, CheckWords& words) {
         });
 }
 
+void declare_fixes(CLI::App& check, CheckWords& words) {
+    check.add_flag("--fix", words.fix,
+                   "Correct programs where a fix is safe: no block does anything else than it can only mean");
+    check.add_flag("--unsafe-fixes", words.unsafe_fixes,
+                   "With --fix or --diff: fixes, too, that somebody who knows the program should look at");
+    check.add_flag("--diff", words.diff, "Print what --fix would change, and change nothing");
+}
+
 void declare_discovery(CLI::App& check, CheckWords& words) {
     check.add_flag("--force-exclude", words.force_exclude,
                    "What is excluded or ignored by git is not checked when it is named, too");
@@ -171,12 +179,34 @@ void require_control(const Overrides& overrides) {
     refuse_word("--control", overrides.control, control_names());
 }
 
+void exclude(std::string_view one, std::string_view other, std::string_view why) {
+    refuse(std::string(one) + " and " + std::string(other) + " exclude each other: " + std::string(why) +
+           ". Leave one out.");
+}
+
+/// Reads the request's paths and sinks, too.
+void read_fixes(const CheckWords& words, CheckRequest& request) {
+    if (!words.fix && !words.diff) {
+        if (words.unsafe_fixes)
+            refuse("--unsafe-fixes says which fixes are taken. Write --fix or --diff beside it.");
+        return;
+    }
+    const std::string_view option = words.fix ? "--fix" : "--diff";
+    if (words.fix && words.diff) exclude("--diff", "--fix", "one of them changes nothing");
+    if (words.show_config) exclude(option, "--show-config", "that checks nothing");
+    if (words.show_files) exclude(option, "--show-files", "that checks nothing");
+    if (!words.write_baseline.empty()) exclude(option, "--write-baseline", "what is fixed is not known");
+    if (words.prune_baseline) exclude(option, "--prune-baseline", "fix first, prune then");
+    if (words.diff && (!words.format.empty() || !words.outputs.empty()))
+        refuse("--diff prints a difference and no report. Leave --format and --output out.");
+    if (std::ranges::find(request.paths, "-") != request.paths.end())
+        refuse(std::string(option) + " does not take standard input. Name the file.");
+    request.fix_use = words.fix ? FixUse::written : FixUse::shown;
+    request.fixes_wanted = words.unsafe_fixes ? FixesWanted::all : FixesWanted::safe;
+}
+
 /// A baseline is read or written: what is known already is to be found when it is written.
 void read_gate(const CheckWords& words, CheckRequest& request) {
-    const auto exclude = [](std::string_view one, std::string_view other, std::string_view why) {
-        refuse(std::string(one) + " and " + std::string(other) + " exclude each other: " + std::string(why) +
-               ". Leave one out.");
-    };
     if (!words.write_baseline.empty()) {
         constexpr std::string_view write = "--write-baseline";
         if (!words.baseline.empty()) exclude("--baseline", write, "what is written is all that is found");
@@ -262,6 +292,7 @@ void declare_check(CLI::App& check, CheckWords& words) {
     check.add_option("--color", words.colour, "auto, always or never; NO_COLOR is respected")
         ->type_name("WHEN");
     check.add_flag("--quiet,-q", words.quiet, "No summary, notes or progress");
+    declare_fixes(check, words);
     declare_discovery(check, words);
     check.add_flag("--no-timestamps", words.no_timestamps,
                    "No times in reports, so that equal runs give equal files");
@@ -301,6 +332,7 @@ CheckRequest check_request(const CheckWords& words) {
     request.timing = words.timing;
     request.statistics = words.statistics;
     read_gate(words, request);
+    read_fixes(words, request);
     request.discovery = {.gitignore = !words.no_gitignore,
                          .follow_links = words.follow_links,
                          .force_exclude = words.force_exclude,

@@ -22,7 +22,7 @@ struct CheckWords {
     bool isolated = false, show_config = false, show_files = false, quiet = false, no_timestamps = false,
          timing = false, statistics = false, no_baseline = false, prune_baseline = false,
          force_exclude = false, no_gitignore = false, follow_links = false, error_on_empty = false,
-         vendor = false, show_withheld = false;
+         vendor = false, show_withheld = false, fix = false, unsafe_fixes = false, diff = false;
 };
 
 void declare_check(CLI::App& check, CheckWords& words);

@@ -29,7 +29,7 @@ bool is_on(const ControlAlarm& alarm, std::string_view list) {
 }
 
 /// "MAC551 integer-word-decimal", "MAC551 integer-word-decimal, rows H.point and P.point".
-std::string name_of(const AlarmUse& use) {
+std::string words_of_use(const AlarmUse& use) {
     std::string name = std::string(use.rule->code) + " " + std::string(use.rule->name);
     constexpr std::size_t most_keys = 6;
     if (use.rows.size() > most_keys) return name + ", " + counted(use.rows.size(), "row");
@@ -46,8 +46,8 @@ void add_rules(PlainPage& page, const ControlAlarm& alarm, std::string_view only
         if (alarm.title_on(list).empty() || (!only.empty() && list != only)) continue;
         for (const AlarmUse& use : uses_of(list, alarm.number)) {
             is_found = true;
-            page.add_item(name_of(use) + ": " + std::string(use.rule->summary) + " (" + std::string(list) +
-                          ")");
+            page.add_item(words_of_use(use) + ": " + std::string(use.rule->summary) + " (" +
+                          std::string(list) + ")");
         }
     }
     if (!is_found) page.add_item(std::string(nothing_finds_it(alarm.shown)));

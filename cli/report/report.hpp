@@ -92,5 +92,7 @@ struct TextStyle {
 
 /// "12 known findings of baseline.json not shown", a line a baseline; empty: there are none.
 [[nodiscard]] std::string known_lines(const Report& report);
+/// How many of them have a fix that --fix takes; a line, or nothing.
+[[nodiscard]] std::string fix_line(const Report& report);
 
 } // namespace maclint::cli

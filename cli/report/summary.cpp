@@ -1,4 +1,5 @@
 //! Counts findings and says so in one line.
+#include "cli/fix/choose.hpp"
 #include "cli/report/report.hpp"
 #include "cli/suggest.hpp"
 
@@ -55,6 +56,14 @@ std::string summary_line(const Report& report) {
     if (!report.not_shown.empty())
         line += ", " + std::to_string(report.not_shown.size()) + " not shown: see --max-findings";
     return line + ")";
+}
+
+std::string fix_line(const Report& report) {
+    std::size_t count = 0;
+    for (const FilteredFinding& filtered : report.findings)
+        if (!filtered.suppressed && wanted_fix(filtered.finding, FixesWanted::safe) != nullptr) ++count;
+    if (count == 0) return "";
+    return std::to_string(count) + " can be corrected by --fix; --diff shows how\n";
 }
 
 std::string known_lines(const Report& report) {

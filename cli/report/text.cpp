@@ -251,7 +251,7 @@ std::string write_text(const Report& report, const TextStyle& style) {
     std::string out = writer.take();
     if (report.statistics) out += statistics_text(report);
     if (style.summary == Summary::left_out) return out;
-    out += summary_line(report) + "\n" + known_lines(report);
+    out += summary_line(report) + "\n" + fix_line(report) + known_lines(report);
     if (left_out > 0) out += counted(left_out, "step") + " of paths not shown; --path full shows them\n";
     return out;
 }

@@ -4,6 +4,7 @@
 #include "analyzer/queries/call_words.hpp"
 #include "analyzer/queries/callers.hpp"
 #include "analyzer/source/work_limit.hpp"
+#include "rules/fixes.hpp"
 #include "rules/path.hpp"
 #include "rules/rule.hpp"
 
@@ -109,6 +110,8 @@ void check(const ProgramAnalysis& analysis, Reporter& reporter) {
                 reporter.report({analysis, word.span}, word.span, "plain",
                                 {quoted(program, word.span), called->program().name,
                                  quoted(called->program(), moves->span), quoted(program, pointed->span)});
+            offer_text(finding, Applicability::unsafe, word.span,
+                       std::string(program.slice(word.span)) + ".");
             finding.related.push_back({called->source(), moves->span, "the value moves an axis here"});
         }
     }

@@ -4,6 +4,7 @@
 #include "analyzer/queries/exits.hpp"
 #include "analyzer/queries/origins.hpp"
 #include "analyzer/workspace/program_analysis.hpp"
+#include "rules/fixes.hpp"
 #include "rules/path.hpp"
 #include "rules/rule.hpp"
 #include "rules/trace.hpp"
@@ -64,6 +65,7 @@ void check(const ProgramAnalysis& analysis, Reporter& reporter) {
         Finding& finding =
             reporter.report(cause_at(analysis, call), span, message,
                             {quoted(analysis.program(), span), line_number(analysis.file(), left.begin)});
+        offer_block_before(finding, Applicability::unsafe, left, "G67");
         finding.path.push_back({analysis.source(), span, "the modal call begins here"});
         for (RelatedLocation& step : path_between(analysis, queries::node_of_origin(analysis, call), node))
             finding.path.push_back(std::move(step));

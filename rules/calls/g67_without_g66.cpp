@@ -4,6 +4,7 @@
 #include "analyzer/program/tables.hpp"
 #include "analyzer/queries/call_words.hpp"
 #include "analyzer/queries/modes_at.hpp"
+#include "rules/fixes.hpp"
 #include "rules/path.hpp"
 #include "rules/rule.hpp"
 
@@ -105,7 +106,9 @@ void check(const ProgramAnalysis& analysis, Reporter& reporter) {
         if (before.sure_code() != off && (call == nullptr || !analysis.is_main())) return;
         const std::string written = quoted(program, span);
         if (call == nullptr) {
-            reporter.report({analysis, span}, span, "none", {written});
+            // It ends nothing.
+            offer_removal(reporter.report({analysis, span}, span, "none", {written}), Applicability::safe,
+                          span);
             return;
         }
         reporter.report({analysis, span}, span, "once",

@@ -2,6 +2,7 @@
 #include "analyzer/program/tables.hpp"
 #include "analyzer/queries/call_words.hpp"
 #include "analyzer/source/work_limit.hpp"
+#include "rules/fixes.hpp"
 #include "rules/path.hpp"
 #include "rules/rule.hpp"
 
@@ -63,15 +64,22 @@ M99
 namespace {
 
 constexpr std::int64_t after_four_digits = 10'000;
+constexpr std::size_t figures = 4; ///< of a program's number
 
-/// The whole number of a program, as P has it; nothing where it is computed.
+/// Of a program, as P has it; nullptr where it is computed.
+const Word* word_with_number(const Program& program, const queries::CallInBlock& call) {
+    const auto found = std::ranges::find_if(call.words, [&](const Word& word) {
+        return std::holds_alternative<Literal>(word.value) &&
+               queries::part_of(program, call, word) == queries::CallPart::program;
+    });
+    return found == call.words.end() ? nullptr : &*found;
+}
+
+/// The whole number.
 std::optional<std::int64_t> number_in(const Program& program, const queries::CallInBlock& call) {
-    for (const Word& word : call.words) {
-        const auto* literal = std::get_if<Literal>(&word.value);
-        if (literal != nullptr && queries::part_of(program, call, word) == queries::CallPart::program)
-            return static_cast<std::int64_t>(literal->value);
-    }
-    return std::nullopt;
+    const Word* word = word_with_number(program, call);
+    if (word == nullptr) return std::nullopt;
+    return static_cast<std::int64_t>(std::get<Literal>(word->value).value);
 }
 
 bool is_there(const ProgramAnalysis& analysis, std::int64_t number) {
@@ -97,9 +105,16 @@ void check(const ProgramAnalysis& analysis, Reporter& reporter) {
         if (!holds_repeats && !lacks_whole) continue;
         const Span span = program.effects[call.effect].span;
         const std::string_view message = lacks_whole ? "whole" : whole_is_there ? "both" : "packed";
-        reporter.report({analysis, call.effect}, span, message,
-                        {quoted(program, span), std::to_string(last),
-                         std::to_string(*written / after_four_digits), std::to_string(*written)});
+        Finding& finding =
+            reporter.report({analysis, call.effect}, span, message,
+                            {quoted(program, span), std::to_string(last),
+                             std::to_string(*written / after_four_digits), std::to_string(*written)});
+        const Word* word = word_with_number(program, call);
+        const std::string text(program.slice(word->span)); // P30100
+        if (message == "packed" && text.size() > 1 + figures)
+            offer_text(finding, Applicability::safe, word->span,
+                       text.substr(0, 1) + text.substr(text.size() - figures) + " L" +
+                           std::to_string(*written / after_four_digits));
     }
 }
 

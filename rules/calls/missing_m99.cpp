@@ -7,6 +7,7 @@
 #include "analyzer/queries/expected_ends.hpp"
 #include "analyzer/workspace/program_analysis.hpp"
 #include "rules/calls/end_evidence.hpp"
+#include "rules/fixes.hpp"
 #include "rules/rule.hpp"
 #include "rules/trace.hpp"
 
@@ -114,6 +115,7 @@ void check(const ProgramAnalysis& analysis, Reporter& reporter) {
     Finding& finding =
         reporter.report({analysis, span}, span, evidence.message,
                         {missing_end(analysis, *why), analysis.program().name, evidence.shown});
+    offer_block_after(finding, Applicability::unsafe, span, missing_end(analysis, *why));
     if (evidence.place) finding.related.push_back(std::move(*evidence.place));
     trace(finding, analysis, exit->exit.node, "the program ends after this block");
 }

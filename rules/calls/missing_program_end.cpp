@@ -7,6 +7,7 @@
 #include "analyzer/queries/exits.hpp"
 #include "analyzer/queries/expected_ends.hpp"
 #include "analyzer/workspace/program_analysis.hpp"
+#include "rules/fixes.hpp"
 #include "rules/rule.hpp"
 #include "rules/trace.hpp"
 
@@ -118,6 +119,7 @@ void check(const ProgramAnalysis& analysis, Reporter& reporter) {
                                        {analysis.program().name, std::string(analysis.control().return_word),
                                         std::string(analysis.control().end_word)});
     if (finding.alarm.empty()) finding.severity = std::min(finding.severity, Severity::note);
+    offer_block_after(finding, Applicability::unsafe, span, std::string(analysis.control().end_word));
     trace(finding, analysis, exit->exit.node, "the program ends after this block");
 }
 

@@ -1,5 +1,6 @@
 //! DIN326: = in a condition, == in an assignment.
 #include "analyzer/program/model.hpp"
+#include "rules/fixes.hpp"
 #include "rules/rule.hpp"
 
 #include <string_view>
@@ -65,8 +66,10 @@ void check(const ProgramFile& file, Reporter& reporter) {
     for (const SyntaxError& syntax_error : file.syntax_errors) {
         const bool condition = syntax_error.kind == SyntaxErrorKind::assignment_in_condition;
         if (!condition && syntax_error.kind != SyntaxErrorKind::comparison_as_assignment) continue;
-        reporter.report({file, syntax_error.span}, syntax_error.span, condition ? "condition" : "assignment",
-                        {syntax_error.subject, syntax_error.cure});
+        Finding& finding = reporter.report({file, syntax_error.span}, syntax_error.span,
+                                           condition ? "condition" : "assignment",
+                                           {syntax_error.subject, syntax_error.cure});
+        offer_text(finding, Applicability::unsafe, syntax_error.span, condition ? "==" : "=");
     }
 }
 

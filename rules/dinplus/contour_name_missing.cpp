@@ -1,5 +1,6 @@
 //! DIN205: a cycle asks for a contour by a name that no contour has.
 #include "analyzer/queries/contour_names.hpp"
+#include "rules/fixes.hpp"
 #include "rules/path.hpp"
 #include "rules/rule.hpp"
 
@@ -70,6 +71,15 @@ END
 
 namespace {
 
+/// The word with the name that the contour has.
+std::string name_replaced(const ProgramFile& file, const queries::ContourName& wanted,
+                          std::string_view name) {
+    std::string word(file.source->bytes(wanted.span));
+    if (const auto at = word.find(wanted.name); at != std::string::npos)
+        word.replace(at, wanted.name.size(), name);
+    return word;
+}
+
 void check(const ProgramFile& file, Reporter& reporter) {
     const queries::ContourNames names = queries::contour_names(file);
     // A program that describes no contour may be a part of one that does.
@@ -85,8 +95,10 @@ void check(const ProgramFile& file, Reporter& reporter) {
             reporter.report({file, wanted.span}, wanted.span, "missing",
                             {std::string(wanted.name), std::string(wanted.code)});
         else
-            reporter.report({file, wanted.span}, wanted.span, "near",
-                            {std::string(wanted.name), std::string(wanted.code), std::string(near->name)});
+            offer_text(reporter.report(
+                           {file, wanted.span}, wanted.span, "near",
+                           {std::string(wanted.name), std::string(wanted.code), std::string(near->name)}),
+                       Applicability::unsafe, wanted.span, name_replaced(file, wanted, near->name));
     }
 }
 

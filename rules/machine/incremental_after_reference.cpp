@@ -1,4 +1,5 @@
 //! MAC524: increments of a reference position return that the next move takes for its own.
+#include "rules/fixes.hpp"
 #include "rules/machine_check.hpp"
 #include "rules/path.hpp"
 
@@ -92,11 +93,13 @@ void check(const MachineStep& at, Reporter& reporter) {
         return number && number->value != 0;
     });
     if (!is_by_numbers || !at.is_first_of(at.after().distance_for_return)) return;
-    reporter
-        .report(at.cause(), at.block(), "kept",
-                {at.quoted_block(), at.spelled(at.after(), ModalRole::distance),
-                 at.line_of(at.after().distance_for_return)})
-        .related.push_back(at.at(at.after().distance_for_return, "it stands here, for the return"));
+    Finding& finding = reporter.report(at.cause(), at.block(), "kept",
+                                       {at.quoted_block(), at.spelled(at.after(), ModalRole::distance),
+                                        at.line_of(at.after().distance_for_return)});
+    finding.related.push_back(at.at(at.after().distance_for_return, "it stands here, for the return"));
+    const auto group = at.analysis.control().group_with(ModalRole::distance);
+    offer_block_before(finding, Applicability::unsafe, at.block(),
+                       at.analysis.control().spell(*group, at.letters().absolute));
 }
 
 } // namespace

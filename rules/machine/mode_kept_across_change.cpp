@@ -1,4 +1,5 @@
 //! MAC531: a shift, a rotation or the like that acts on the next tool or work offset.
+#include "rules/fixes.hpp"
 #include "rules/machine_check.hpp"
 #include "rules/path.hpp"
 
@@ -117,6 +118,7 @@ void check(const MachineStep& at, Reporter& reporter) {
     Finding& finding = reporter.report(at.cause(), at.block(), kept->is_of_tools ? "tool" : "offset",
                                        {std::string(row.name), control.spell(group, kept->mode.value),
                                         at.line_of(kept->mode), at.quoted_block(), at.line_of(change), off});
+    offer_block_before(finding, Applicability::unsafe, at.block_of(change), off);
     finding.related.push_back(at.at(kept->mode, "it begins here"));
     finding.related.push_back(
         at.at(change, kept->is_of_tools ? "the tool is changed here" : "the work offset is changed here"));

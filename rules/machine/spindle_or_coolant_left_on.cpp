@@ -1,4 +1,5 @@
 //! MAC563: a spindle or coolant that one tool change of a program finds running, and all others do not.
+#include "rules/fixes.hpp"
 #include "rules/machine_check.hpp"
 #include "rules/path.hpp"
 
@@ -11,10 +12,12 @@ void check(const MachineStep& at, Reporter& reporter);
 extern const Rule spindle_or_coolant_left_on{
     .code = "MAC563",
     .name = "spindle-or-coolant-left-on",
-    .summary = "The spindle or the coolant still runs at a tool change, and is switched off before all others",
-    .why = "A block is missing that the program writes for each other tool. Most machines stop the spindle for "
-           "the change themselves; where one does not, the arm takes a turning tool, or coolant runs into the "
-           "magazine.",
+    .summary =
+        "The spindle or the coolant still runs at a tool change, and is switched off before all others",
+    .why =
+        "A block is missing that the program writes for each other tool. Most machines stop the spindle for "
+        "the change themselves; where one does not, the arm takes a turning tool, or coolant runs into the "
+        "magazine.",
     .severity = Severity::warning,
     .precision = Precision::high,
     .messages =
@@ -92,19 +95,21 @@ void check(const MachineStep& at, Reporter& reporter) {
     if (at.habits.spindle_at_changes().is_off_at_all_but_one() &&
         machine::spindle_runs_into(at.step, control)) {
         const auto group = *control.group_with(ModalRole::spindle);
-        reporter
-            .report(at.cause(), at.block(), "spindle",
-                    {at.quoted_block(), at.spelled(at.before(), ModalRole::spindle), at.line_of(spindle),
-                     control.spell(group, *at.off(ModalRole::spindle))})
-            .related.push_back(at.at(spindle, "it is started here"));
+        const std::string off = control.spell(group, *at.off(ModalRole::spindle));
+        Finding& finding = reporter.report(
+            at.cause(), at.block(), "spindle",
+            {at.quoted_block(), at.spelled(at.before(), ModalRole::spindle), at.line_of(spindle), off});
+        finding.related.push_back(at.at(spindle, "it is started here"));
+        offer_block_before(finding, Applicability::unsafe, at.block(), off);
     } else if (at.habits.coolant_at_changes().is_off_at_all_but_one() &&
                machine::coolant_runs_into(at.step, control)) {
         const machine::Known& coolant = at.before().coolant;
-        reporter
-            .report(at.cause(), at.block(), "coolant",
-                    {at.quoted_block(), "M" + number_word(coolant.value), at.line_of(coolant),
-                     "M" + number_word(at.letters().coolant_off)})
-            .related.push_back(at.at(coolant, "it is switched on here"));
+        const std::string off = "M" + number_word(at.letters().coolant_off);
+        Finding& finding =
+            reporter.report(at.cause(), at.block(), "coolant",
+                            {at.quoted_block(), "M" + number_word(coolant.value), at.line_of(coolant), off});
+        finding.related.push_back(at.at(coolant, "it is switched on here"));
+        offer_block_before(finding, Applicability::unsafe, at.block(), off);
     }
 }
 

@@ -5,6 +5,7 @@
 #include "analyzer/queries/left_active.hpp"
 #include "analyzer/queries/modes_at.hpp"
 #include "analyzer/workspace/program_analysis.hpp"
+#include "rules/fixes.hpp"
 #include "rules/path.hpp"
 #include "rules/rule.hpp"
 #include "rules/trace.hpp"
@@ -116,6 +117,8 @@ void check(const ProgramAnalysis& analysis, Reporter& reporter) {
                 {analysis, place->effect}, there, place->message,
                 {analysis.control().spell(*group, *mode.code), line_number(analysis.file(), begun.begin),
                  quoted(program, there), analysis.control().spell(*group, *cycle.cancel)});
+            offer_block_before(finding, Applicability::unsafe, there,
+                               analysis.control().spell(*group, *cycle.cancel));
             trace(finding, analysis, mode.node, {analysis.source(), begun, "the cycle begins here"}, node,
                   "it is still in force here");
             return;

@@ -3,6 +3,7 @@
 #include "analyzer/queries/block_words.hpp"
 #include "analyzer/queries/call_words.hpp"
 #include "analyzer/workspace/program_analysis.hpp"
+#include "rules/fixes.hpp"
 #include "rules/path.hpp"
 #include "rules/rule.hpp"
 #include "rules/word_check.hpp"
@@ -129,6 +130,7 @@ void check(const queries::WordsOfBlock& block, Reporter& reporter) {
                        : forbidden          ? report("forbidden", {addresses, before, after})
                        : before == after    ? report("same", {addresses, after, alarm})
                                             : report("twice", {addresses, before, after, alarm});
+    if (!several && !forbidden && before == after) offer_removal(finding, Applicability::safe, last->span);
     finding.related.push_back({block.analysis.source(), first->span, "the first one stands here"});
 }
 

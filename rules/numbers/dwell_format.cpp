@@ -1,5 +1,6 @@
 //! MAC566: a dwell whose time is in another unit than it was meant.
 #include "analyzer/queries/missing_points.hpp"
+#include "rules/fixes.hpp"
 #include "rules/path.hpp"
 #include "rules/rule.hpp"
 
@@ -80,9 +81,13 @@ void check(const ProgramFile& file, Reporter& reporter) {
     const queries::Lengths lengths = queries::lengths_of(file);
     for (const queries::LengthWord& time : lengths.times) {
         const std::string_view message = message_for(time, lengths.have_points());
-        if (!message.empty())
-            reporter.report({file, time.word}, time.word, message,
-                            {quoted(*time.program, time.word), number_word(time.number.value)});
+        if (message.empty()) continue;
+        const std::string number = number_word(time.number.value);
+        Finding& finding = reporter.report({file, time.word}, time.word, message,
+                                           {quoted(*time.program, time.word), number});
+        const std::string word(time.program->slice(time.word));
+        if (message == "increments") offer_text(finding, Applicability::unsafe, time.word, word + ".");
+        if (message == "short") offer_text(finding, Applicability::unsafe, time.word, word + "000");
     }
 }
 

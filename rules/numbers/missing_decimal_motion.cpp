@@ -1,5 +1,6 @@
 //! MAC552: a length without its point, in a file whose lengths have one.
 #include "analyzer/queries/missing_points.hpp"
+#include "rules/fixes.hpp"
 #include "rules/path.hpp"
 #include "rules/rule.hpp"
 
@@ -54,10 +55,14 @@ namespace {
 void check(const ProgramFile& file, Reporter& reporter) {
     const queries::Lengths lengths = queries::lengths_of(file);
     if (!lengths.have_points()) return;
-    for (const queries::LengthWord& bare : lengths.bare)
-        reporter.report({file, bare.word}, bare.word, "plain",
-                        {quoted(*bare.program, bare.word),
-                         std::to_string(lengths.count - lengths.bare.size()), std::to_string(lengths.count)});
+    for (const queries::LengthWord& bare : lengths.bare) {
+        Finding& finding = reporter.report({file, bare.word}, bare.word, "plain",
+                                           {quoted(*bare.program, bare.word),
+                                            std::to_string(lengths.count - lengths.bare.size()),
+                                            std::to_string(lengths.count)});
+        offer_text(finding, Applicability::unsafe, bare.word,
+                   std::string(bare.program->slice(bare.word)) + ".");
+    }
 }
 
 } // namespace

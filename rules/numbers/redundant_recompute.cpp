@@ -3,6 +3,7 @@
 #include "analyzer/queries/calculations.hpp"
 #include "analyzer/queries/conditions.hpp"
 #include "analyzer/queries/copies.hpp"
+#include "rules/fixes.hpp"
 #include "rules/path.hpp"
 #include "rules/rule.hpp"
 #include "rules/trace.hpp"
@@ -92,6 +93,7 @@ void check(const ProgramAnalysis& analysis, Reporter& reporter) {
         Finding& finding = reporter.report({analysis, store}, span, "again",
                                            {quoted(program, span), with_letter(analysis, store.variable),
                                             line_number(analysis.file(), earlier.begin)});
+        offer_removal(finding, Applicability::unsafe, span);
         finding.same_cause = program.name + " " + line_number(analysis.file(), earlier.begin);
         trace(finding, analysis, before->node, {analysis.source(), earlier, "the value is calculated here"},
               store.node, "and again here");

@@ -3,6 +3,7 @@
 #include "analyzer/program/tables.hpp"
 #include "analyzer/queries/bare_numbers.hpp"
 #include "analyzer/workspace/program_analysis.hpp"
+#include "rules/fixes.hpp"
 #include "rules/path.hpp"
 #include "rules/rule.hpp"
 
@@ -110,8 +111,12 @@ void check(const ProgramAnalysis& analysis, Reporter& reporter) {
             const bool used = queries::names_variable(program, *number);
             if (!used && !is_of_the_control(analysis.control(), *number)) continue;
             const Span span = program.expressions[comparison.expression].span;
-            reporter.report({analysis, comparison}, span, used ? "used" : "system",
-                            {quoted(program, span), std::to_string(*number)});
+            Finding& finding = reporter.report({analysis, comparison}, span, used ? "used" : "system",
+                                               {quoted(program, span), std::to_string(*number)});
+            const ExpressionId literal =
+                number == left ? comparison.left_expression : comparison.right_expression;
+            offer_text(finding, Applicability::unsafe, program.expressions[literal].span,
+                       "#" + std::to_string(*number));
             break;
         }
     }

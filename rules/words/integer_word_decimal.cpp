@@ -1,4 +1,5 @@
 //! MAC551: a decimal point where a whole number belongs.
+#include "rules/fixes.hpp"
 #include "rules/words/row_of_block.hpp"
 
 #include <string>
@@ -43,8 +44,16 @@ void check(const RowOfBlock& block, Reporter& reporter) {
     for (const Word* word : block.own(row.words)) {
         const auto* value = std::get_if<Literal>(&word->value);
         if (value == nullptr || !value->decimal_point) continue;
-        block.report(reporter, *word, block.is_of_address() ? "of_address" : "point",
-                     {block.text_of(*word), block.text_of(block.code), std::string(row.effect)});
+        Finding& finding =
+            block.report(reporter, *word, block.is_of_address() ? "of_address" : "point",
+                         {block.text_of(*word), block.text_of(block.code), std::string(row.effect)});
+        // Where the control takes the point, it may mean another number than the one without.
+        const std::string text = block.text_of(*word);
+        const auto point = text.find('.');
+        if (point != std::string::npos && text.find_first_not_of('0', point + 1) == std::string::npos)
+            offer_text(finding,
+                       finding.severity == Severity::error ? Applicability::safe : Applicability::unsafe,
+                       word->span, text.substr(0, point));
     }
 }
 

@@ -160,7 +160,13 @@ class Family {
 
     void close() {
         close_program();
-        for (const Span comment : comments_with_percent(text_)) report(comment, faults::percent_in_comment);
+        for (const Span comment : comments_with_percent(text_)) {
+            report(comment, faults::percent_in_comment);
+            Remedy& remedy = file_.syntax_errors.back().remedy;
+            remedy.title = "Write PCT";
+            for (Offset at = comment.begin; at < comment.end; ++at)
+                if (text_[at] == '%') remedy.changes.push_back({{at, at + 1}, "PCT"});
+        }
     }
 
   private:
