@@ -66,7 +66,8 @@ class TableTest(unittest.TestCase):
         for fields, reason in (({0: "DP1"}, "'DP1' is no new DPnnn"), ({0: "DP000"}, "'DP000' is no new DPnnn"),
                                ({3: "MAC999"}, "there is no rule 'MAC999'"), ({3: "missed"}, "there is no rule 'missed'"),
                                ({3: "DIN405"}, "there is no rule 'DIN405', it is a part of MAC319"),
-                               ({3: "MAC319 MAC576/G4.P"}, "MAC576 has no row 'G4.P'"), ({3: "not"}, "has a reason"),
+                               ({3: "MAC319 MAC576/G4.P"}, "MAC576 has no row 'G4.P'"),
+                               ({4: "a row (MAC576/G4.P), too"}, "MAC576 has no row 'G4.P'"), ({3: "not"}, "has a reason"),
                                ({2: "a" * 251}, "250 characters"), ({5: "l.7"}, "'l.7' are no lines"), ({4: ""}, "6 fields")):
             with self.subTest(reason), self.assertRaisesRegex(statements.BadTable, f"table.tsv:3: .*{reason}"):
                 self.read(["DP000", *ROW[1:]], [fields.get(place, field) for place, field in enumerate(ROW)])

@@ -10,6 +10,7 @@ PROGRAMS = ROOT / "tests/fixtures/dinplus/statements"
 RULES = ROOT / "docs/rules"
 COLUMNS = ["id", "chapter", "statement", "watched", "note", "lines"]
 MISSING, NOT = "missing", "not"  # instead of rules: nothing reports it yet, and nothing is to report it
+CODE = re.compile(r"\b(?:MAC|DIN)\d{3}(?:/[^\s,;)]+)?")
 LONGEST = 250  # characters of a field: a cell of the page is to be read at a glance
 
 
@@ -63,8 +64,9 @@ def read(table=TABLE, rules=RULES):
             raise BadTable(f"{where}: a text has {LONGEST} characters at most")
         if watched == NOT and note == NONE:
             raise BadTable(f"{where}: what is not checked has a reason")
-        if problem := statement.is_watched and next(filter(None, (problem_of(code, rules) for code in statement.watched)), None):
-            raise BadTable(f"{where}: {problem}")
+        for code in [*(statement.watched if statement.is_watched else ()), *CODE.findall(note)]:
+            if problem := problem_of(code, rules):
+                raise BadTable(f"{where}: {problem}")
         chapters += [chapter] if chapter not in chapters else []
         found[name] = statement
     return list(found.values())
