@@ -15,7 +15,7 @@ from planting import report
 from planting.judge import Judge
 from planting.plants import KINDS
 from planting.reduce import Reducer
-from planting.runs import Runs
+from planting.runs import Runs, needs_runs
 from planting.workspace import Corpus
 
 REDUCED = 1  # misses of a group that are made small
@@ -95,7 +95,8 @@ def main():
              and (not options.file or any(part in str(plant.path) for part in options.file))]
     picked = chosen(found, options)
     options.output.mkdir(parents=True, exist_ok=True)
-    maclint, runs = (copied(path, options.output) for path in (options.maclint, options.runs))  # a build may replace them meanwhile
+    maclint = copied(options.maclint, options.output)  # a build may replace it meanwhile
+    runs = copied(options.runs, options.output) if any(map(needs_runs, picked)) else None
     judge = Judge(maclint, options.output.resolve() / 'programs', options.jobs)
 
     def progress(done):
@@ -111,7 +112,8 @@ def main():
     examples = smallest(corpora, results, Reducer(maclint, judge.folder)) if options.smallest else {}
     shutil.rmtree(judge.folder, ignore_errors=True)
     maclint.unlink()
-    runs.unlink()
+    if runs:
+        runs.unlink()
     text = report.markdown(results, harmless, examples, options.seed, time.monotonic() - began)
     (options.output / 'report.md').write_text(text)
     (options.output / 'report.json').write_text(report.as_json(results, harmless, options.seed))

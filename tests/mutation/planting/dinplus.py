@@ -2,15 +2,21 @@
 import re
 from dataclasses import dataclass
 
+from . import (dinplus_contour, dinplus_flow, dinplus_left, dinplus_needs, dinplus_order, dinplus_references, dinplus_slides,
+               dinplus_words)
+from .dinplus_reader import HEAD, Program
+
 MACHINING = re.compile(r'(?:MACHINING|BEARBEITUNG)\s*$')
 SUBPROGRAM = re.compile(r'(?:SUBPROGRAM|UNTERPROGRAMM)\s*"([^"]+)"')
 RETURN = re.compile(r'(?:RETURN)\b')
 END = re.compile(r'(?:END|ENDE)\s*$')
 VARIABLE = re.compile(r'#(l\d+|_[a-z]\w*)', re.I)
-STORE = re.compile(r'^\s*(?:N\d+\s+)?#(l\d+|_[a-z]\w*)\s*=(?!=)\s*(.*)$', re.I)
-STEP = re.compile(r'^\s*(?:N\d+\s+)?#(l\d+|_[a-z]\w*)\s*=\s*#\1\s*([+-])\s*(\d+\.?\d*)\s*$', re.I)
+BEFORE = r'^\s*(?:\$\d\s*)*(?:N\s*\d+\s+)?'  # slides and number of a block
+STORE = re.compile(BEFORE + r'#(l\d+|_[a-z]\w*)\s*=(?!=)\s*(.*)$', re.I)
+STEP = re.compile(BEFORE + r'#(l\d+|_[a-z]\w*)\s*=\s*#\1\s*([+-])\s*(\d+\.?\d*)\s*$', re.I)
 WHILE = re.compile(r'WHILE\s+#(l\d+|_[a-z]\w*)\s*(<=?|>=?)\s*(.+?)\s*$', re.I)
 CALL = re.compile(r'L\s*"([^"]+)"(.*)$')
+WHOLE = (dinplus_words, dinplus_order, dinplus_needs, dinplus_left, dinplus_references, dinplus_slides, dinplus_contour, dinplus_flow)
 TRANSFERRED = re.compile(r'#__(\w+)')
 
 
@@ -50,7 +56,7 @@ def routines_of(codes):
 
 
 def head_of(code):
-    return re.match(r'\s*(?:/\d?\s*)?(?:N\d+\s*)?', code).end()
+    return HEAD.match(code).end()
 
 
 def drop(line, code):
@@ -61,11 +67,16 @@ def cut(line, match, group=0, text=''):
     return [(line, match.span(group), text)]
 
 
-def plants(lines, libraries):
-    """(class, edits, why it is harmless). `libraries`: codes of the programs that are read together, by name."""
+def plants(lines, libraries, clean=True):
+    """(class, edits, why it is harmless). `libraries`: codes of the programs that are read together, by name. `clean`: the
+    program is known to have no defect of its own, so that the slips in whole programs are planted, too."""
     codes = code_of(lines)
     machining = next((line for line, code in enumerate(codes) if MACHINING.match(code.strip())), None)
     yield from sections(codes)
+    program = Program(codes)
+    if clean and program.whole:
+        for module in WHOLE:
+            yield from module.plants(program)
     if machining is None:
         return
     for line in range(machining + 1, len(codes)):
@@ -110,6 +121,10 @@ def structure(line, codes):
             yield 'din-joined', [(line, (len(code.rstrip()), len(code)), ' THEN'), *drop(after, codes[after])], ''
 
 
+def numbers_in(codes):
+    return {int(number) for number in (HEAD.match(code).group(2) for code in codes) if number}
+
+
 def words(line, codes):
     code = codes[line]
     condition = re.search(r'\b(?:IF|WHILE)\b.*?(==)', code)
@@ -123,11 +138,11 @@ def words(line, codes):
         yield 'din-def-hash', [(line, (defined.end(), defined.end()), '#')], ''
     contour = re.search(r'\bG8\d\d?\b.*?\bN[SE](\d+)', code)
     if contour:
-        numbers = {int(n) for n in re.findall(r'^\s*N(\d+)', '\n'.join(codes), re.M)}
+        numbers = numbers_in(codes)
         yield 'din-contour-nowhere', cut(line, contour, 1, str(max(numbers) + 7)), ''
     restart = re.search(r'\bM99\s+NS(\d+)', code)
     if restart:
-        numbers = {int(n) for n in re.findall(r'^\s*N(\d+)', '\n'.join(codes), re.M)}
+        numbers = numbers_in(codes)
         yield 'din-restart-nowhere', cut(line, restart, 1, str(max(numbers) + 7)), ''
     if '(' in code and '"' not in code and code.count('(') == code.count(')'):
         yield 'din-bracket-unclosed', [(line, (code.rindex(')'), code.rindex(')') + 1), '')], ''

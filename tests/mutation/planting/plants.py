@@ -1,6 +1,8 @@
 """What a plant is, and the table of all classes of defects."""
 from dataclasses import dataclass, field
 
+from . import dinplus_kinds
+
 ERROR, WARNING, NOTE = 'error', 'warning', 'note'
 RANK = {NOTE: 0, WARNING: 1, ERROR: 2}
 
@@ -13,6 +15,7 @@ class Kind:
     rules: tuple  # any of them finds it; the first is the one that is meant
     severity: str  # whose bar its places count for
     what: str
+    own_bar: bool = False  # the class has a bar of its own, and is not counted with those of its severity
 
 
 @dataclass
@@ -55,8 +58,8 @@ def shortened(text):
     return ' / '.join(lines[:3]) + (' …' if len(lines) > 3 else '')
 
 
-def table(group, severity, rows):
-    return [Kind(name, group, tuple(rules.split()), severity, what) for name, rules, what in rows]
+def table(group, severity, rows, own_bar=False):
+    return [Kind(name, group, tuple(rules.split()), severity, what, own_bar) for name, rules, what in rows]
 
 
 LEFT = 'MAC501 MAC503 MAC504 MAC507 MAC519'  # what a program leaves that it should put back
@@ -211,4 +214,5 @@ KINDS = {kind.name: kind for kind in [
         ('din-letter-removed', 'DIN330', 'a call leaves out what the subprogram uses without DEF'),
         ('din-letter-unknown', 'DIN331 DIN330', 'a transfer value of another letter, which no word of a call passes'),
     ]),
+    *(kind for group, severity, rows in dinplus_kinds.ROWS for kind in table(f'DIN PLUS: {group}', severity, rows, own_bar=True)),
 ]}

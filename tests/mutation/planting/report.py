@@ -2,6 +2,7 @@
 import json
 from collections import Counter, defaultdict
 
+from . import dinplus_kinds
 from .plants import ERROR, KINDS, WARNING
 from .runs import SHOWN_BY_RUNS
 
@@ -23,7 +24,11 @@ def counted(results):
 
 
 def by_severity(results, severity):
-    return [result for result in results if KINDS[result[0].kind].severity == severity]
+    return [result for result in results if KINDS[result[0].kind].severity == severity and not KINDS[result[0].kind].own_bar]
+
+
+def of_kind(results, name):
+    return [result for result in results if result[0].kind == name]
 
 
 def of_state(results):
@@ -41,15 +46,31 @@ def bars(results):
     yield STATE, of_state(chosen), STATE_BAR
 
 
+def class_bars(results):
+    """The same for each class that has a bar of its own: of all programs, because a half has only a few places of a class."""
+    for name, kind in KINDS.items():
+        chosen = of_kind(results, name)
+        if kind.own_bar and any(verdict in JUDGED for _, verdict, _ in chosen):
+            yield name, chosen, dinplus_kinds.BARS.get(name, BARS[kind.severity])
+
+
 def summary(results):
     halves = {result[0].half for result in counted(results)}
     text = '; '.join(f'{name}: {percent(chosen)} of {sum(v in JUDGED for _, v, _ in chosen)} places found (bar: {100 * bar:g} %)'
                      for name, chosen, bar in bars(results))
-    return f'Half {", ".join(sorted(halves))}: {text}' if halves and halves != {''} else text
+    text = f'Half {", ".join(sorted(halves))}: {text}' if halves and halves != {''} else text
+    own = [result for result in results if KINDS[result[0].kind].own_bar]
+    return text + (f'; classes with bars of their own: {percent(own)} of {sum(v in JUDGED for _, v, _ in own)} places, '
+                   f'{len(below(results))} below their bars{": " if below(results) else ""}{", ".join(below(results))}' if own else '')
+
+
+def below(results):
+    """The classes that miss their own bars."""
+    return [name for name, chosen, bar in class_bars(results) if share(chosen) < bar]
 
 
 def passes(results):
-    return all(share(chosen) >= bar for _, chosen, bar in bars(results))
+    return all(share(chosen) >= bar for _, chosen, bar in bars(results)) and not below(results)
 
 
 def left_out_share(results, harmless):

@@ -7,12 +7,16 @@ from pathlib import Path
 
 from .plants import KINDS
 
-READ_ALONE = ('spelling', 'forms', 'DIN PLUS')  # groups whose plants no control runs
+READ_ALONE = ('spelling', 'forms', 'DIN PLUS')  # how groups begin whose plants no control runs
 LEFT_OVER = ('incremental-left', 'mode-left', 'feed-left', 'speed-left', 'cancel-removed')  # defects by what is left at the end
 SAME = 'the runs do the same'
 SAME_STATE = 'the runs leave the same modal state'
 UNREACHED = 'no path leads to it'
 SHOWN_BY_RUNS = (SAME, SAME_STATE, UNREACHED)
+
+
+def needs_runs(plant):
+    return not KINDS[plant.kind].group.startswith(READ_ALONE)
 
 
 class Runs:
@@ -25,7 +29,7 @@ class Runs:
         """For each plant (why it is none by its runs, or ''; what they show). `original`: gives a corpus' file."""
         together = defaultdict(list)
         for plant in plants:
-            if KINDS[plant.kind].group not in READ_ALONE:
+            if needs_runs(plant):
                 together[plant.path].append(plant)
         found = {}
         with ThreadPoolExecutor(self.jobs) as pool:

@@ -1,0 +1,57 @@
+"""Blocks and sections of a DIN PLUS program in the wrong order."""
+from .dinplus_reader import RUN, SURFACES, TURNED, emptied, exchanged
+
+PATTERNS = ('G401', 'G402', 'G411', 'G412', 'G471', 'G472', 'G481', 'G482')
+# Codes that the manual wants in this order (l.12300, 13643, 22275-22346, 22195).
+IN_ORDER = [('G740', 'G860'), ('G741', 'G860'), ('G910', 'G911'), ('G914', 'G912'), ('G787', 'G788')]
+
+
+def plants(program):
+    yield from sections(program)
+    yield from contours(program)
+    run = [block for block in program.blocks if block.section in RUN]
+    for first, second in zip(run, run[1:]):
+        if first.part != second.part or first.slides != second.slides:
+            continue
+        if first.has('G14') and second.codes('T') and len(second.words) == 1:
+            yield 'din-tool-before-retract', exchanged(first, second), ''
+        if any(first.has(before) and second.has(after) for before, after in IN_ORDER):
+            yield 'din-codes-exchanged', exchanged(first, second), ''
+    yield from cycle_contours(run)
+
+
+def sections(program):
+    """The word of a section, with what stands beside it, is gone or stands where that of another belongs."""
+    heads = {name: line for name, line in program.heads}
+    count = [name for name, _ in program.heads]
+    for first, second in (('BLANK', 'FINISHED'), ('FINISHED', 'MACHINING'), ('TURRET', 'BLANK')):
+        if count.count(first) == 1 == count.count(second) and first in heads and second in heads:
+            lines = [(heads[name], program.codes[heads[name]].rstrip()) for name in (first, second)]
+            edits = [(line, (0, len(text)), other) for (line, text), (_, other) in zip(lines, lines[::-1])]
+            yield 'din-sections-exchanged', edits, ''
+    for name, line in program.heads:
+        inside = [block for block in program.blocks if block.part == program.heads.index((name, line))]
+        if name in ('FINISHED', 'AUXIL', *SURFACES) and inside:
+            harmless = '' if any(block.words for block in inside) else 'the section is empty'
+            yield 'din-section-gone', [(line, (0, len(program.codes[line].rstrip())), '')], harmless
+
+
+def contours(program):
+    for at, block in enumerate(program.blocks):
+        after = program.blocks[at + 1] if at + 1 < len(program.blocks) else None
+        same = after is not None and after.part == block.part
+        if block.place == 'c' and same and block.has(*PATTERNS):
+            yield 'din-pattern-behind-figure', exchanged(block, after), ''
+        if block.place == 'c' and block.has('G308'):
+            yield 'din-pocket-not-begun', emptied(block), ''
+        if block.place == 'c' and block.has('G309'):
+            yield 'din-pocket-not-ended', emptied(block), ''
+        if block.section in TURNED and block.has('G0') and same and after.has('G1', 'G2', 'G3'):
+            yield 'din-contour-without-start', emptied(block), ''
+
+
+def cycle_contours(run):
+    """A cycle's contour begins behind it and ends with G80."""
+    for at, block in enumerate(run):
+        if block.text == 'G80':
+            yield 'din-g80-removed', emptied(block), ''
