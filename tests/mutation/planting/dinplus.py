@@ -226,7 +226,7 @@ def closing(codes, start, last):
 
 
 CANCELS = [('din-compensation-left', r'\bG4[12]\b', r'\bG40\b'), ('din-plane-left', r'\bG16\s+B', r'\bG16\s*$'),
-           ('din-shift-left', r'\bG92[01]\b', r'\bG980\b'), ('din-conversion-left', r'\bG30\s+H[1-9]', r'\bG30\s+H0')]
+           ('din-shift-left', r'\bG92[01]\b', r'\bG98[01]\b'), ('din-conversion-left', r'\bG30\s+H[1-9]', r'\bG30\s+H0')]
 
 
 def cancels(routine, codes):

@@ -37,7 +37,7 @@ def position(blocks, part):
 
 
 def element(program, block, before):
-    if any(word.name in ('Xi', 'Zi', 'AN', 'A', 'Ii', 'Ki') for word in block.words):
+    if any(word.name in ('Xi', 'Zi', 'Y', 'J', 'AN', 'A', 'Ii', 'Ki') for word in block.words):
         return
     ends = [block.get(name) for name in ('X', 'Z')]
     if any(word and word.number is None for word in ends):

@@ -146,7 +146,7 @@ G307 c XK YK X C A Q! K! R P
 G307 m XK YK X C A Q! K! R P
 G308 c ID P HC=1,2,3,4,5,6,7,8,9,10,11,12,14 D Q=0,1,2 H=0,1 O=0,1,2 I RC RB W BR
 G309 c
-G310 c Z CY C B! P! W R U E I J K F V=0,1 A O
+G310 c Z CY C B! P W R U E I J K F V=0,1 A O
 G311 c Z CY C A K! B! P
 G311 m Z! CY C A K! B! P
 G312 c Z CY C R! A W B! P
@@ -172,7 +172,7 @@ G374 c X Y R! P I
 G375 c X Y A K! B! R P I
 G376 c Z K Ki B! I C
 G377 c X Y Q! A K! R P I
-G378 c X Y ID NF P W H! E F O=0,1
+G378 c X Y ID NF P W H E F O=0,1
 G380 c Y Z B P W R U E I J K F V=0,1 A O
 G381 c Z Y X A K! B! P
 G382 c Z Y X R! A W B! P
@@ -181,7 +181,7 @@ G384 c Z Y X R! P
 G385 c Z Y X A K! B! R P
 G386 c Z K Ki B X C
 G387 c Z Y X Q! A K! R P
-G388 c Y Z ID NF P W H! E F O=0,1
+G388 c Y Z ID NF P W H E F O=0,1
 G395 m F
 G396 m S
 G401 c Q! XK YK I Ii J Ji A R Ri

@@ -1,7 +1,7 @@
 """What a DIN PLUS program switches on and no longer switches off."""
 import re
 
-from .dinplus_reader import RUN, TURNED, emptied, without
+from .dinplus_reader import TURNED, emptied, without
 
 # (class, what switches on, what switches off, with the lines of the manual). The last block that switches off is emptied.
 LEFT = [
@@ -59,13 +59,13 @@ def c_axis(run):
 
 
 def attributes(program):
-    """Attributes of a contour (G10, G38, G52, G149) that end within their section."""
+    """Attributes of a contour (G10, G38, G52) that end within their section; G149 may as well end with it (11376-11386)."""
     for at, block in enumerate(program.blocks):
         if block.section not in TURNED:
             continue
         for code in ('G10', 'G38', 'G52'):
             if block.text == code and any(other.part == block.part and other.has(code) and len(other.words) > 1
                                           for other in program.blocks[:at]):
-                yield 'din-attribute-left', emptied(block), ''
-        if block.has('G149') and block.get('D') and block.get('D').value == '900':
-            yield 'din-attribute-left', emptied(block), ''
+                anew = (code, 'G95') if code == 'G10' else (code,)  # a feed ends the roughness (11251)
+                later = any(other.part == block.part and other.has(*anew) for other in program.blocks[at + 1:])
+                yield 'din-attribute-left', emptied(block), 'another one follows' if later else ''

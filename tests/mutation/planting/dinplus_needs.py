@@ -7,7 +7,8 @@ MOVES = ('G1', 'G2', 'G3')
 CYCLES = ('G810', 'G820', 'G830', 'G840', 'G845', 'G846', 'G860', 'G869', 'G870', 'G890', 'G71', 'G72', 'G73', 'G74', 'G31', 'G32')
 ON_C = ('G100', 'G101', 'G102', 'G103', 'G110', 'G111', 'G112', 'G113')
 MILLED_Y = ('G841', 'G842', 'G843', 'G844', 'G800', 'G803', 'G804', 'G806')
-SHIFTS = ('M3', 'M4', 'M5', 'M103', 'M104', 'M105', 'M203', 'M204', 'M205', 'M303', 'M304', 'M305')
+STARTS = ('M3', 'M4', 'M103', 'M104', 'M203', 'M204', 'M303', 'M304')
+STOPS = ('M5', 'M105', 'M205', 'M305')
 
 # (class, codes that give it, what needs it, with the lines of the manual)
 NEEDS = [
@@ -26,7 +27,7 @@ def plants(program):
         return  # a subprogram may do it
     for slide in sorted({digit for block in run for digit in re.findall(r'\d', block.slides)} or {''}):
         yield from of_slide(program, [block for block in run if slide in block.slides] if slide else run)
-    yield from pairs(run)
+    yield from pairs(program, run)
 
 
 def first(run, wanted):
@@ -47,10 +48,10 @@ def of_slide(program, run):
     if len(tools) == 1:
         word = next(word for word in tools[0].words if word.letter == 'T')
         yield 'din-tool-gone', without(tools[0], word), ''
-    spindle = [block for block in before if any(code in SHIFTS and code not in ('M5', 'M105', 'M205', 'M305')
-                                                for code in (f'M{number}' for number in block.codes('M')))]
-    if len(spindle) == 1:
-        word = next(word for word in spindle[0].words if word.letter == 'M' and f'M{word.value}' in SHIFTS)
+    spindle = [block for block in before if block.has(*STARTS, *STOPS)]
+    if spindle and spindle[-1].has(*STARTS) and not any(block.has(*STARTS) for block in spindle[:-1]):
+        spindle = spindle[-1:]
+        word = next(word for word in spindle[0].words if word.letter == 'M' and f'M{word.value}' in STARTS)
         yield 'din-spindle-gone', without(spindle[0], word), ''
         yield 'din-spindle-stopped', put(spindle[0], word, '5'), ''
     feeds = [block for block in before if block.get('F') and block.has('G95', 'G94', 'G195', 'G193', 'G295', 'G395')]
@@ -67,7 +68,7 @@ def feeds_gone(block):
     return without(block, code) + without(block, block.get('F'))
 
 
-def pairs(run):
+def pairs(program, run):
     """A code that another one needs, once before it."""
     for kind, need, users in NEEDS:
         places = [at for at, block in enumerate(run) if block.has(*need)]
@@ -76,6 +77,8 @@ def pairs(run):
             place = run[places[0]]
             later = [at for at in places[1:] if at < using]
             harmless = 'it stands twice before it is needed' if later else ''
+            if kind == 'din-limit-gone' and not faces(program, run):
+                harmless = 'no cycle faces to the axis, and the speed does not rise without end'
             word = next(word for word in place.words if f'{word.letter}{word.value}' in need)
             alone = len(place.codes()) + len(place.codes('M')) + len(place.codes('T')) == 1
             yield kind, emptied(place) if alone else without(place, word), harmless
@@ -91,6 +94,14 @@ def pairs(run):
             end = next((at for at in range(plane + 1, len(run)) if run[at].has('G18', 'G17', 'G19')), len(run))
             if any(other.has(*MILLED_Y) for other in run[plane:end]):
                 yield 'din-plane-gone', emptied(block), ''
+
+
+def faces(program, run):
+    """Whether a facing cycle goes to the axis: it names the line of a finished part that begins at X0 (12598)."""
+    finished = [block for block in program.blocks if block.section == 'FINISHED']
+    axis = {second.number for first, second in zip(finished, finished[1:])
+            if first.has('G0') and first.get('X') and first.get('X').number == 0}
+    return any(block.has('G820') and block.get('NS') and block.get('NS').number in axis for block in run)
 
 
 def uses(block, users):

@@ -1,6 +1,10 @@
 """Blocks and sections of a DIN PLUS program in the wrong order."""
+import re
+
 from .dinplus_reader import RUN, SURFACES, TURNED, emptied, exchanged
 
+MOVES = re.compile(r'\bG(?:0|1|2|3|7\d|8\d\d?|14|701|12|13|10\d|11\d|3[1-9])\b')
+LEAVES = re.compile(r'\bG(?:0|14|701)\b')
 PATTERNS = ('G401', 'G402', 'G411', 'G412', 'G471', 'G472', 'G481', 'G482')
 # Codes that the manual wants in this order (l.12300, 13643, 22275-22346, 22195).
 IN_ORDER = [('G740', 'G860'), ('G741', 'G860'), ('G910', 'G911'), ('G914', 'G912'), ('G787', 'G788')]
@@ -13,11 +17,19 @@ def plants(program):
     for first, second in zip(run, run[1:]):
         if first.part != second.part or first.slides != second.slides:
             continue
-        if first.has('G14') and second.codes('T') and len(second.words) == 1:
-            yield 'din-tool-before-retract', exchanged(first, second), ''
+        if first.has('G14') and second.codes('T') and len(second.words) == 1 and not first.has('M5', 'M30'):
+            yield 'din-tool-before-retract', exchanged(first, second), away(run[:run.index(first)])
         if any(first.has(before) and second.has(after) for before, after in IN_ORDER):
             yield 'din-codes-exchanged', exchanged(first, second), ''
     yield from cycle_contours(run)
+
+
+def away(before):
+    """Why the slide is not at the work any more."""
+    last = next((block for block in reversed(before) if MOVES.search(block.code)), None)
+    if last is None:
+        return 'nothing has moved before'
+    return 'the slide may have left the work before' if LEAVES.search(last.code) else ''
 
 
 def sections(program):
@@ -31,8 +43,9 @@ def sections(program):
             yield 'din-sections-exchanged', edits, ''
     for name, line in program.heads:
         inside = [block for block in program.blocks if block.part == program.heads.index((name, line))]
-        if name in ('FINISHED', 'AUXIL', *SURFACES) and inside:
-            harmless = '' if any(block.words for block in inside) else 'the section is empty'
+        if name in ('FINISHED', 'AUXIL', *SURFACES) and any(block.words for block in inside):
+            before = [other for other, at in program.heads if at < line][-1:]
+            harmless = 'the section before it is of its kind' if before == [name] else ''
             yield 'din-section-gone', [(line, (0, len(program.codes[line].rstrip())), '')], harmless
 
 

@@ -28,7 +28,8 @@ def contour_blocks(program, block, numbers, contours):
             continue
         target = contours[int(word.number)]
         yield 'din-reference-nowhere', put(block, word, str(program.free_number())), ''
-        yield 'din-reference-to-machining', put(block, word, str(block.number)) if block.number else [], '' if block.number else 'no number'
+        if block.number is not None:
+            yield 'din-reference-to-machining', put(block, word, str(block.number)), ''
         if letter == 'NS' and block.has(*MILLED):
             start = next((other for other in program.blocks if other.part == target.part and other.number is not None
                           and other.has(*STARTS[1:]) and other.number < target.number
@@ -60,14 +61,14 @@ def names(program, block):
 
 
 def pockets(program):
-    """(tool, block line, columns) of the turret's list."""
+    """(tool, line, columns, text, line of the turret's word) of the lists of tools."""
     for name, line in program.heads:
         if name == 'TURRET':
             end = next((other for _, other in program.heads if other > line), len(program.codes))
             for at in range(line + 1, end):
                 found = re.match(r'\s*T(\d+)(?:\.\d)?\s', program.codes[at])
                 if found:
-                    yield int(found.group(1)), at, found.span(1), found.group(0)
+                    yield int(found.group(1)), at, found.span(1), found.group(0), line
 
 
 def tools(program, block):
@@ -80,16 +81,17 @@ def tools(program, block):
 
 def turret(program):
     found = list(pockets(program))
-    for (tool, *_), (other, line, columns, text) in zip(found, found[1:]):
-        if tool != other and '.' not in text:
+    for (tool, *_, first), (other, line, columns, text, second) in zip(found, found[1:]):
+        if tool != other and '.' not in text and first == second:
             yield 'din-pocket-twice', [(line, columns, str(tool))], ''
 
 
 def doubled_names(program):
-    """Two contours of one name: which of them a cycle takes, nobody can tell."""
+    """Two contours of one name that a cycle asks for: which of them it takes, nobody can tell."""
     found = list(program.names_of_contours())
+    asked = {word.value.strip('"') for block in program.blocks if block.section in RUN for word in block.words if word.letter == 'ID'}
     for (name, *_), (other, line, columns) in zip(found, found[1:]):
-        if name != other:
+        if name != other and name in asked:
             yield 'din-contour-name-twice', [(line, columns, name)], ''
 
 

@@ -17,9 +17,9 @@ def plants(program):
             continue
         at = block.code.index('$') + 1
         yield 'din-slide-unknown', [(block.line, (at, at + 1), unknown)], ''
-        if block.has('M97') and len(own) > 1:
-            yield 'din-m97-one-slide', [(block.line, (at - 1, at + 1), '')], ''
-            yield 'din-m97-gone-on-one', [(block.line, (block.code.rindex('$', 0, block.head), block.code.rindex('$', 0, block.head) + 2), '')], ''
+        if block.has('M97') and len(own) == 2:  # three slides may as well be two that meet
+            for begin in (at - 1, block.code.index('$', at)):
+                yield 'din-m97-one-slide', [(block.line, (begin, begin + 2), '')], ''
         mark = block.get('H')
         if block.has('G162') and mark:
             waiting = [other for other in program.run() if other.has('G62') and other.get('H') and other.get('H').value == mark.value]
@@ -29,5 +29,5 @@ def plants(program):
             yield 'din-mark-gone', emptied(block), harmless
         if block.has('G62') and mark:
             yield 'din-mark-mistyped', put(block, mark, free), ''
-        if re.match(r'#l\d+\s*=', block.text) and len(own) == 1:
+        if re.match(r'(#g\d+)\s*=.*\1(?!\d)', block.text) and len(own) == 1:  # each slide has its own #l
             yield 'din-slide-gone', [(block.line, (at - 1, at + 1), '')], ''

@@ -21,12 +21,13 @@ def plants(program):
     for block in program.blocks:
         codes = [f'G{number}' for number in block.codes()]
         lists = [WORDS.get((code, block.place)) for code in codes]
+        both = lists if block.section != 'SUBPROGRAM' else lists + [WORDS.get((code, 'c'), {}) for code in codes]  # it may be a contour
         numbers = [word for word in block.words if word.letter not in ('G', 'M', 'T') and NUMBER.match(word.value)]
         if not codes or None in lists:
             continue
         for code, words in zip(codes, lists):
             yield from of_code(block, code, words, [other for other in lists if other is not words])
-        strange = next((name for name in STRANGE if not any(name in words for words in lists) and not block.get(name)), None)
+        strange = next((name for name in STRANGE if not any(name in words for words in both) and not block.get(name)), None)
         if strange and any(lists) and block.text.count(' '):
             yield 'din-word-unknown', with_more(block, f'{strange}1'), ''
         if numbers:
