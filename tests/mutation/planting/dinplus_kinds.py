@@ -42,10 +42,8 @@ ROWS = [
     ]),
     ('left on', 'warning', [
         ('din-coupling-left', 'MAC586', 'G720 H0 is gone'),
-        ('din-eccentric-left', 'MAC586', 'G725 H0, G726 H0, G727 H0 or G728 H0 is gone'),
+        ('din-eccentric-left', 'MAC586', 'G725 H0, G726 H0 or G727 H0 is gone'),
         ('din-override-left', 'MAC586', 'G908 H2 or G919 H0 is gone'),
-        ('din-force-left', 'MAC586', 'G925 P0 is gone'),
-        ('din-hdt-left', 'MAC586', 'G931 H0 is gone'),
         ('din-tcpm-left', 'MAC586', 'G928 H0 is gone'),
         ('din-zone-left', 'MAC586', 'G995 that closes the zone is gone'),
         ('din-zone-off-left', 'MAC586', 'G60 Q0 is gone'),

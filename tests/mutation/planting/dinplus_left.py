@@ -6,11 +6,9 @@ from .dinplus_reader import TURNED, emptied, without
 # (class, what switches on, what switches off, with the lines of the manual). The last block that switches off is emptied.
 LEFT = [
     ('din-coupling-left', r'\bG720\b.*\bH[1-9]', r'\bG720(?!.*\bH[1-9])'),  # 20215
-    ('din-eccentric-left', r'\bG(725|726|727|728)\b.*\bH1', r'\bG(725|726|727|728)\b.*\bH0'),  # 18626-18628, 18695
+    ('din-eccentric-left', r'\bG(725|726|727)\b.*\bH1', r'\bG(725|726|727)\b.*\bH0'),  # 18626-18628, 18695
     ('din-override-left', r'\bG(919)\b.*\bH1', r'\bG(919)\b.*\bH0'),  # 18152
     ('din-override-left', r'\bG908\b.*\bH1|\bG908\s+H1', r'\bG908\b.*\bH2|\bG908\s+H2'),  # 18131
-    ('din-force-left', r'\bG925\b.*\bP1', r'\bG925\b.*\bP0'),  # 18479
-    ('din-hdt-left', r'\bG931\b.*\bH1', r'\bG931\b.*\bH0'),  # 18570
     ('din-tcpm-left', r'\bG928\b.*\bH1', r'\bG928\b.*\bH0'),  # 25519-25525
     ('din-zone-left', r'\bG995\s+H\d', r'\bG995\s*$'),  # 18403
     ('din-zone-off-left', r'\bG60\s+Q1', r'\bG60\s+Q0'),  # 18061-18069
