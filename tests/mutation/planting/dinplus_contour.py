@@ -21,7 +21,8 @@ def position(blocks, part):
     """(X, Z) in front of a block, where it can be told from the blocks before it: G0 and G1 to G3 with numbers."""
     x = z = None
     for block in reversed(blocks):
-        if block.part != part or not block.has('G0', 'G1', 'G2', 'G3') or any(word.name in ('Xi', 'Zi', 'AN', 'A', 'W') for word in block.words):
+        turned = any(word.name in ('Xi', 'Zi', 'AN', 'A', 'W') for word in block.words)
+        if block.part != part or not block.has('G0', 'G1', 'G2', 'G3') or turned:
             return None
         for name in ('X', 'Z'):
             word = block.get(name)
@@ -70,7 +71,7 @@ def outside(program):
     bars = [block for block in program.blocks if block.section == 'BLANK' and block.has('G20')]
     if len(bars) != 1 or sum(name == 'FINISHED' for name, _ in program.heads) != 1:
         return
-    part = [block for block in program.blocks if block.section == 'FINISHED' and block.has('G0', 'G1')]
+    part = [block for block in program.blocks if block.section == 'FINISHED' and block.has('G0', 'G1', 'G2', 'G3')]
     xs, zs = ([block.get(name).number for block in part if block.get(name) and block.get(name).number is not None] for name in ('X', 'Z'))
     x, z = bars[0].get('X'), bars[0].get('Z')
     if xs and x and x.number and max(xs) > 0:

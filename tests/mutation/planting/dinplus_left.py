@@ -14,7 +14,6 @@ LEFT = [
     ('din-zone-off-left', r'\bG60\s+Q1', r'\bG60\s+Q0'),  # 18061-18069
     ('din-interrupted-feed-left', r'\bG64\s+E', r'\bG64\s*$'),  # 12506
     ('din-probe-left', r'\bG910\b', r'\bG913\b'),  # 22342
-    ('din-mirror-left', r'\bG30\s+H[1-9]', r'\bG30\s+H0'),  # 20071-20078
 ]
 TURNING = re.compile(r'\bM0?[34]\b|\bG96\b')
 

@@ -15,7 +15,6 @@ NEEDS = [
     ('din-c-axis-gone', ('M14', 'M214', 'M314'), ON_C),  # 20044, 16297
     ('din-limit-gone', ('G26',), ('G96',)),  # 10369, 12461, 12641
     ('din-lateral-diameter-gone', ('G120',), r'\bG11[0-3]\b.*\bCYi?[-\d#_]'),  # 16288
-    ('din-positions-gone', ('G904',), r'#a[0-8]\('),  # 18101
     ('din-probe-start-gone', ('G910',), ('G911',)),  # 22275-22346
     ('din-measured-value-gone', ('G787',), ('G788',)),  # 22195
 ]
@@ -26,7 +25,7 @@ def plants(program):
     if any(block.text.startswith('L"') for block in run):
         return  # a subprogram may do it
     for slide in sorted({digit for block in run for digit in re.findall(r'\d', block.slides)} or {''}):
-        yield from of_slide(program, [block for block in run if slide in block.slides] if slide else run)
+        yield from of_slide([block for block in run if slide in block.slides] if slide else run)
     yield from pairs(program, run)
 
 
@@ -38,7 +37,7 @@ def works(block):
     return block.has(*MOVES, *CYCLES)
 
 
-def of_slide(program, run):
+def of_slide(run):
     """What stands before the first work of a slide, once."""
     work = first(run, works)
     if work is None:

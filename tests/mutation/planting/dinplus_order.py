@@ -14,6 +14,9 @@ def plants(program):
     yield from sections(program)
     yield from contours(program)
     run = [block for block in program.blocks if block.section in RUN]
+    for block in run:
+        if block.text == 'G80':
+            yield 'din-g80-removed', emptied(block), ''
     for first, second in zip(run, run[1:]):
         if first.part != second.part or first.slides != second.slides:
             continue
@@ -21,7 +24,6 @@ def plants(program):
             yield 'din-tool-before-retract', exchanged(first, second), away(run[:run.index(first)])
         if any(first.has(before) and second.has(after) for before, after in IN_ORDER):
             yield 'din-codes-exchanged', exchanged(first, second), ''
-    yield from cycle_contours(run)
 
 
 def away(before):
@@ -61,10 +63,3 @@ def contours(program):
             yield 'din-pocket-not-ended', emptied(block), ''
         if block.section in TURNED and block.has('G0') and same and after.has('G1', 'G2', 'G3'):
             yield 'din-contour-without-start', emptied(block), ''
-
-
-def cycle_contours(run):
-    """A cycle's contour begins behind it and ends with G80."""
-    for at, block in enumerate(run):
-        if block.text == 'G80':
-            yield 'din-g80-removed', emptied(block), ''

@@ -4,12 +4,13 @@ from dataclasses import dataclass, field
 
 SECTIONS = {
     'PROGRAM HEAD': 'HEAD', 'PROGRAMMKOPF': 'HEAD', 'TURRET': 'TURRET', 'REVOLVER': 'TURRET', 'MAGAZINE': 'TURRET', 'MAGAZIN': 'TURRET',
-    'CHUCKING EQUIPMENT': 'CHUCK', 'SPANNMITTEL': 'CHUCK', 'CONTOUR': 'CONTOUR', 'KONTUR': 'CONTOUR', 'BLANK': 'BLANK', 'ROHTEIL': 'BLANK',
-    'AUXIL_BLANK': 'AUXIL_BLANK', 'HILFSROHTEIL': 'AUXIL_BLANK', 'FINISHED': 'FINISHED', 'FERTIGTEIL': 'FINISHED',
+    'CHUCKING EQUIPMENT': 'CHUCK', 'SPANNMITTEL': 'CHUCK', 'CONTOUR': 'CONTOUR', 'KONTUR': 'CONTOUR',
+    'BLANK': 'BLANK', 'ROHTEIL': 'BLANK', 'AUXIL_BLANK': 'AUXIL_BLANK', 'HILFSROHTEIL': 'AUXIL_BLANK', 'FINISHED': 'FINISHED', 'FERTIGTEIL': 'FINISHED',
     'AUXIL_CONTOUR': 'AUXIL', 'HILFSKONTUR': 'AUXIL', 'FACE_C': 'FACE_C', 'STIRN': 'FACE_C', 'FACE_Y': 'FACE_Y', 'STIRN_Y': 'FACE_Y',
     'REAR_C': 'REAR_C', 'RUECKSEITE': 'REAR_C', 'REAR_Y': 'REAR_Y', 'RUECKSEITE_Y': 'REAR_Y', 'LATERAL_C': 'LATERAL_C',
     'MANTEL': 'LATERAL_C', 'LATERAL_Y': 'LATERAL_Y', 'MANTEL_Y': 'LATERAL_Y', 'CONST': 'CONST', 'VAR': 'VAR',
-    'MACHINING': 'MACHINING', 'BEARBEITUNG': 'MACHINING', 'SUBPROGRAM': 'SUBPROGRAM', 'UNTERPROGRAMM': 'SUBPROGRAM', 'END': 'END', 'ENDE': 'END',
+    'MACHINING': 'MACHINING', 'BEARBEITUNG': 'MACHINING', 'SUBPROGRAM': 'SUBPROGRAM', 'UNTERPROGRAMM': 'SUBPROGRAM',
+    'END': 'END', 'ENDE': 'END',
 }
 SECTION = re.compile('(' + '|'.join(sorted(SECTIONS, key=len, reverse=True)) + r')(?=\s|$)')
 TURNED = ('BLANK', 'AUXIL_BLANK', 'FINISHED', 'AUXIL')  # contours in the plane of turning
@@ -131,10 +132,6 @@ def block_of(line, code, section, part):
 def put(block, word, value):
     """The word with another value."""
     return [(block.line, (word.begin + len(word.name), word.end), value)]
-
-
-def renamed(block, word, name):
-    return [(block.line, (word.begin, word.begin + len(word.name)), name)]
 
 
 def without(block, word):

@@ -104,7 +104,7 @@ def constants(program):
     for block in program.blocks:
         if block.section in ('CONST', 'VAR'):
             continue
-        for used in re.finditer(r'(?<![\w_"])#?(_[a-z]\w*)', block.code):
+        for used in re.finditer(r'(?<![a-z0-9_"])#?(_[a-z]\w*)', block.code):
             name = used.group(1)
             wrong = name[:-1] + ('z' if name[-1] != 'z' else 'y')
             if name in declared and wrong not in declared and '"' not in block.code[:used.start()]:
