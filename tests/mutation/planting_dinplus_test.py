@@ -114,7 +114,8 @@ SLIPS = [
     ('din-branch-twice', whole('N20 IF #l1<2', 'N21 THEN', 'N22 ELSE [else]', 'N23 ENDIF'), ['N22 ELSE\nELSE [else]']),
     ('din-three-conditions', whole('N20 IF (#l1<2) OR (#l1>5)'), ['N20 IF (#l1<2) OR (#l1>5) AND (#l1>0)']),
     ('din-case-twice', whole('N20 SWITCH #l1', 'N21 CASE 1', 'N22 BREAK', 'N23 CASE 2', 'N24 BREAK', 'N25 ENDSWITCH'), ['N23 CASE 1']),
-    ('din-end-early', whole('N20 IF #l1<2', 'N21 M5', 'N22 T1', 'N23 ENDIF', 'N24 G14 Q0 [away]', 'N25 T2'), ['N24 G14 Q0\nM30 [away]']),
+    ('din-end-early', whole('N20 IF #l1<2', 'N21 M5', 'N22 T1', 'N23 ENDIF', 'N24 G14 Q0 [away]', 'N25 T2'),
+     ['N24 G14 Q0\nM30 [away]']),
     ('din-loop-never', whole('N20 #l1=0', 'N21 WHILE #l1<3', 'N22 ENDWHILE'), ['N21 WHILE #l1>3']),
     ('din-variable-renamed', whole('N20 #l1=5', 'N21 G0 X#l1'), ['N21 G0 X#l90']),
     ('din-recursion', whole('N20 L"SUB"', 'N21 M30', after=['SUBPROGRAM "SUB"', 'N30 G0 X5', 'N31 RETURN']), ['N31 L"SUB"\nRETURN']),
@@ -167,7 +168,7 @@ class Slips(unittest.TestCase):
                     self.assertEqual(places, [])
 
     def test_a_part_of_a_program_is_no_place(self):
-        self.assertEqual([kind for kind, *_ in plants(['MACHINING', 'N1 T1', 'N2 G1 Z-5 F0.2', 'M30', 'END'], {}) if kind == 'din-tool-gone'], [])
+        self.assertEqual(found('din-tool-gone', ['MACHINING', 'N1 T1', 'N2 G1 Z-5 F0.2', 'M30', 'END']), [])
 
     def test_programs_of_others_get_no_slips(self):
         lines = whole('N20 T1', 'N21 G1 Z-5', 'M30')
@@ -194,8 +195,9 @@ class Reader(unittest.TestCase):
 class Bars(unittest.TestCase):
     @staticmethod
     def results(kind, found_ones, missed):
-        return [(Plant(kind, Path('own-dinplus/A.nc'), {0: ''}, half='hold'), verdict, [])
-                for verdict in ['found'] * found_ones + ['missed'] * missed]
+        verdicts = ['found'] * found_ones + ['missed'] * missed
+        return [(Plant(kind, Path('own-dinplus/A.nc'), {0: ''}, half=half), verdict, [])
+                for verdict, half in zip(verdicts, ('tune', 'hold', 'hold'))]
 
     def test_a_class_has_a_bar_of_its_own(self):
         kind = 'din-tool-edge'
@@ -208,6 +210,10 @@ class Bars(unittest.TestCase):
             self.assertTrue(report.passes(self.results(kind, 1, 1)))
         finally:
             dinplus_kinds.BARS.pop(kind) if old is None else dinplus_kinds.BARS.update({kind: old})
+
+    def test_its_bar_asks_for_both_halves(self):
+        one_half = [result for result in self.results('din-tool-edge', 1, 1) if result[0].half == 'hold']
+        self.assertEqual(report.below(one_half), [])
 
     def test_its_places_do_not_count_for_its_severity(self):
         self.assertEqual(report.by_severity(self.results('din-tool-edge', 0, 3), 'error'), [])

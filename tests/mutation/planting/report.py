@@ -8,6 +8,7 @@ from .runs import SHOWN_BY_RUNS
 
 BARS = {ERROR: 0.995, WARNING: 0.95}
 STATE, STATE_BAR = 'saved state', 0.9  # a group of classes with a bar of its own, beside those of the severities
+POOR = 0.95  # classes with a bar of their own that are listed
 MOST_LEFT_OUT = 0.25  # of a class, without what the runs show to be the same
 JUDGED = ('found', 'only a note', 'missed')
 HOLD = 'hold'
@@ -65,7 +66,9 @@ def summary(results):
 
 
 def below(results):
-    """The classes that miss their own bars."""
+    """The classes that miss their own bars, where both halves were looked at."""
+    if len({plant.half for plant, _, _ in results}) < 2:
+        return []
     return [name for name, chosen, bar in class_bars(results) if share(chosen) < bar]
 
 
@@ -105,6 +108,9 @@ def markdown(results, harmless, examples, seed, seconds):
         lines.append(f'| all: {group} | | {sum(v in JUDGED for _, v, _ in chosen)} | | | | {percent(chosen)} | '
                      f'{percent([r for r in chosen if r[0].half == "tune"])} | {percent([r for r in chosen if r[0].half == HOLD])} | | | |')
     lines += rules_table(results)
+    poor = [(name, chosen) for name, chosen, _ in class_bars(results) if share(chosen) < POOR]
+    lines += ['', f'## Classes of which less than {100 * POOR:g} % is found', ''] if poor else []
+    lines += [f'- {name}: {percent(chosen)} of {sum(v in JUDGED for _, v, _ in chosen)}: {KINDS[name].what}' for name, chosen in poor]
     shares = {kind: part for kind, part in left_out_share(results, harmless).items() if part > MOST_LEFT_OUT}
     lines += ['', '## Left out', ''] + [f'More than a quarter of {kind}: {100 * part:.0f} %.' for kind, part in sorted(shares.items())] + ['']
     reasons = Counter((plant.kind, plant.harmless) for plant in harmless)
