@@ -210,11 +210,16 @@
     RULE(tool_not_in_turret)                     /* DIN118 */ \
     RULE(tool_edge_range)                        /* DIN119 */ \
     RULE(converted_leftovers)                    /* DIN123 */ \
+    RULE(second_contour)                         /* DIN204 */ \
     RULE(contour_name_missing)                   /* DIN205 */ \
     RULE(finished_outside_blank)                 /* DIN209 */ \
+    RULE(recess_off_line)                        /* DIN213 */ \
     RULE(level_unbalanced)                       /* DIN225 */ \
     RULE(full_circle_arc)                        /* DIN229 */ \
     RULE(corner_longer_than_line)                /* DIN239 */ \
+    RULE(milled_contour_open)                    /* DIN241 */ \
+    RULE(figure_size)                            /* DIN243 */ \
+    RULE(holes_run_together)                     /* DIN244 */ \
     RULE(reserved_global)                        /* DIN303 */ \
     RULE(string_number_mismatch)                 /* DIN305 */ \
     RULE(integer_global_fraction)                /* DIN306 */ \

@@ -18,7 +18,8 @@ namespace {
 
 /// X counts as a diameter, I and K from the start of the arc, of G12 and G13 from the zero point [SEED-003:
 /// 10662-10665, 10718, 12381-12386, 12436]; both of them are radii.
-constexpr std::array straight = {0.0, 1.0};
+/// A thread with its undercut is a line along Z of its own [SEED-003:10876-10900].
+constexpr std::array straight = {0.0, 1.0}, thread_line = {24.0, 24.0};
 constexpr std::array by_way = {2.0, 3.0}, by_place = {12.0, 13.0};
 constexpr std::string_view x_word = "X", z_word = "Z", centre_x = "I", centre_z = "K", radius_word = "R",
                            corner_word = "BR";
@@ -62,7 +63,8 @@ class Walker {
 
   private:
     [[nodiscard]] static bool is_motion(double code) {
-        return is_one_of(code, straight) || is_one_of(code, by_way) || is_one_of(code, by_place);
+        return is_one_of(code, straight) || is_one_of(code, thread_line) || is_one_of(code, by_way) ||
+               is_one_of(code, by_place);
     }
 
     /// Codes that stand beside an element, or alone [SEED-003:11231].

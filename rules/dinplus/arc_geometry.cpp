@@ -1,4 +1,5 @@
 //! DIN662: an arc that cannot be: its radius is too small, or its ends lie on no circle round its centre.
+#include "analyzer/queries/surface_contours.hpp"
 #include "analyzer/queries/turning_outline.hpp"
 #include "analyzer/workspace/program_analysis.hpp"
 #include "rules/path.hpp"
@@ -45,6 +46,19 @@ N4 G1 Z-70
 MACHINING
 N10 M30
 END
+)nc"},
+            {"dinplus", R"nc(
+FINISHED
+N1 G0 X80 Z0
+N2 G1 Z-40
+FACE_C Z0
+N3 G100 XK10 YK0
+N4 G101 XK26
+N5 G103 XK26 YK16 R7
+N6 G101 XK10
+MACHINING
+N10 M30
+END
 )nc"}},
     .good = {{"dinplus", R"nc(
 FINISHED
@@ -58,7 +72,7 @@ MACHINING
 N10 M30
 END
 )nc"}},
-    .sources = {"SEED-003:10662-10665", "SEED-003:12370-12456"},
+    .sources = {"SEED-003:10662-10665", "SEED-003:11640-11692", "SEED-003:12370-12456"},
     .check = &check,
 };
 
@@ -89,6 +103,8 @@ void look_at(const ProgramAnalysis& analysis, const queries::OutlineElement& arc
 void check(const ProgramAnalysis& analysis, Reporter& reporter) {
     for (const queries::Outline& outline : queries::turning_contours_and_moves(analysis.program()))
         for (const queries::OutlineElement& element : outline.elements) look_at(analysis, element, reporter);
+    for (const queries::SurfaceContour& contour : queries::surface_contours(analysis.program()))
+        for (const queries::OutlineElement& element : contour.elements) look_at(analysis, element, reporter);
 }
 
 } // namespace

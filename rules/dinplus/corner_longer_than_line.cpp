@@ -16,19 +16,33 @@ void check(const ProgramAnalysis& analysis, Reporter& reporter);
 extern const Rule corner_longer_than_line{
     .code = "DIN239",
     .name = "corner-longer-than-line",
-    .summary = "A chamfer is longer than a line that it stands on",
+    .summary = "A chamfer or rounding is longer than a line that it stands on",
     .why = "The corner does not fit: the control refuses the contour.",
     .severity = Severity::error,
     .precision = Precision::high,
     .needs = {Capability::sections},
     .messages = {{"plain", "Chamfer longer than its line: '{0}' cuts {1} off, and the line is {2} long.",
-                  "Correct the chamfer, or the length of the line."}},
+                  "Correct the chamfer, or the length of the line."},
+                 {"rounding",
+                  "Rounding longer than its line: '{0}' takes {1} of it, and the line is {2} long.",
+                  "Correct the radius, or the length of the line."}},
     .bad = {{"dinplus", R"nc(
 FINISHED
 N1 G0 X0 Z0
 N2 G1 X40 BR-5
 N3 G1 Z-3
 N4 G1 X60
+N5 G1 Z-40
+MACHINING
+N10 M30
+END
+)nc"},
+            {"dinplus", R"nc(
+FINISHED
+N1 G0 X0 Z0
+N2 G1 X40
+N3 G1 Z-20
+N4 G1 X46 BR5
 N5 G1 Z-40
 MACHINING
 N10 M30
@@ -57,20 +71,32 @@ std::optional<double> length_of(const queries::OutlineElement& element) {
     return queries::distance(*element.from, *element.to);
 }
 
+/// What the corner takes of both its lines: a chamfer its width, a rounding the way to where it touches
+/// them. Nothing where nobody can say.
+std::optional<double> taken_by(const queries::OutlineElement& before, const queries::OutlineElement& behind) {
+    if (*before.corner < 0) return -*before.corner;
+    if (!length_of(before) || !length_of(behind)) return std::nullopt;
+    const double turn = std::atan2(behind.to->x - behind.from->x, behind.to->z - behind.from->z) -
+                        std::atan2(before.to->x - before.from->x, before.to->z - before.from->z);
+    return *before.corner * std::abs(std::tan(turn / 2));
+}
+
+double rounded(double length) { return std::round(length * 1000) / 1000; }
+
 void check(const ProgramAnalysis& analysis, Reporter& reporter) {
     constexpr double rounding = 0.001; // mm
     for (const queries::Outline& outline : queries::turning_contours(analysis.program())) {
-        for (std::size_t i = 0; i < outline.elements.size(); ++i) {
+        for (std::size_t i = 0; i + 1 < outline.elements.size(); ++i) {
             const queries::OutlineElement& element = outline.elements[i];
-            if (!element.corner || *element.corner >= 0) continue;
-            const double chamfer = -*element.corner;
+            if (!element.corner || *element.corner == 0) continue;
+            const auto taken = taken_by(element, outline.elements[i + 1]);
             for (const std::size_t line : {i, i + 1}) {
-                const auto length =
-                    line < outline.elements.size() ? length_of(outline.elements[line]) : std::nullopt;
-                if (!length || *length == 0 || chamfer <= *length + rounding) continue;
-                reporter.report({analysis, element.corner_span}, element.corner_span, "plain",
-                                {quoted(analysis.program(), element.corner_span), number_word(chamfer),
-                                 number_word(std::round(*length * 1000) / 1000)});
+                const auto length = length_of(outline.elements[line]);
+                if (!taken || !length || *length == 0 || *taken <= *length + rounding) continue;
+                reporter.report({analysis, element.corner_span}, element.corner_span,
+                                *element.corner < 0 ? "plain" : "rounding",
+                                {quoted(analysis.program(), element.corner_span),
+                                 number_word(rounded(*taken)), number_word(rounded(*length))});
                 break;
             }
         }

@@ -1,4 +1,5 @@
 //! DIN229: an arc of a contour that ends where it begins.
+#include "analyzer/queries/surface_contours.hpp"
 #include "analyzer/queries/turning_outline.hpp"
 #include "analyzer/workspace/program_analysis.hpp"
 #include "rules/path.hpp"
@@ -46,14 +47,17 @@ END
 
 namespace {
 
-void check(const ProgramAnalysis& analysis, Reporter& reporter) {
+void look_at(const ProgramAnalysis& analysis, const queries::OutlineElement& arc, Reporter& reporter) {
     constexpr double nothing = 1e-6; // mm
-    for (const queries::Outline& outline : queries::turning_contours(analysis.program())) {
-        for (const queries::OutlineElement& arc : outline.elements)
-            if (arc.is_arc && arc.from && arc.to && queries::distance(*arc.from, *arc.to) < nothing)
-                reporter.report({analysis, arc.block}, arc.block, "plain",
-                                {quoted(analysis.program(), arc.block)});
-    }
+    if (arc.is_arc && arc.from && arc.to && queries::distance(*arc.from, *arc.to) < nothing)
+        reporter.report({analysis, arc.block}, arc.block, "plain", {quoted(analysis.program(), arc.block)});
+}
+
+void check(const ProgramAnalysis& analysis, Reporter& reporter) {
+    for (const queries::Outline& outline : queries::turning_contours(analysis.program()))
+        for (const queries::OutlineElement& element : outline.elements) look_at(analysis, element, reporter);
+    for (const queries::SurfaceContour& contour : queries::surface_contours(analysis.program()))
+        for (const queries::OutlineElement& element : contour.elements) look_at(analysis, element, reporter);
 }
 
 } // namespace
