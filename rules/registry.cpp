@@ -204,6 +204,7 @@
     RULE(localized_section_word)                 /* DIN104 */ \
     RULE(section_order)                          /* DIN105 */ \
     RULE(section_repeated)                       /* DIN106 */ \
+    RULE(contour_group_missing)                  /* DIN108 */ \
     RULE(section_parameter)                      /* DIN109 */ \
     RULE(turret_and_magazine)                    /* DIN115 */ \
     RULE(duplicate_tool_pocket)                  /* DIN117 */ \
@@ -220,6 +221,7 @@
     RULE(milled_contour_open)                    /* DIN241 */ \
     RULE(figure_size)                            /* DIN243 */ \
     RULE(holes_run_together)                     /* DIN244 */ \
+    RULE(contour_behind_cycle)                   /* DIN246 */ \
     RULE(reserved_global)                        /* DIN303 */ \
     RULE(string_number_mismatch)                 /* DIN305 */ \
     RULE(integer_global_fraction)                /* DIN306 */ \
@@ -231,6 +233,7 @@
     RULE(undeclared_name)                        /* DIN312 */ \
     RULE(var_alias_collision)                    /* DIN314 */ \
     RULE(index_is_expression)                    /* DIN315 */ \
+    RULE(interpolation_read_early)               /* DIN317 */ \
     RULE(calc_without_slide)                     /* DIN319 */ \
     RULE(bitset_range)                           /* DIN321 */ \
     RULE(window_range)                           /* DIN322 */ \
@@ -257,6 +260,7 @@
     RULE(m99_target)                             /* DIN415 */ \
     RULE(shift_adds_up)                          /* DIN418 */ \
     RULE(condition_without_comparison)           /* DIN422 */ \
+    RULE(else_twice)                             /* DIN423 */ \
     RULE(v1_on_local)                            /* DIN504 */ \
     RULE(return_in_main)                         /* DIN507 */ \
     RULE(sub_name_length)                        /* DIN509 */ \
@@ -272,13 +276,15 @@
     RULE(g920_not_reset)                         /* DIN634 */ \
     RULE(arc_geometry)                           /* DIN662 */ \
     RULE(contour_reference_missing)              /* DIN704 */ \
+    RULE(two_contours_named)                     /* DIN705 */ \
     RULE(wrong_kind_of_block)                    /* DIN706 */ \
     RULE(pilot_mark_undefined)                   /* DIN819 */ \
     RULE(sync_mark_unmatched)                    /* DIN902 */ \
     RULE(sync_deadlock)                          /* DIN903 */ \
     RULE(slide_not_in_head)                      /* DIN905 */ \
     RULE(g30_left_active)                        /* DIN906 */ \
-    RULE(result_unchecked)                       /* DIN930 */
+    RULE(result_unchecked)                       /* DIN930 */ \
+    RULE(second_measuring_move)                  /* DIN951 */
 // clang-format on
 
 namespace maclint {

@@ -31,6 +31,8 @@ constexpr Switch switches[] = {
     {"eccentric turning",         "G725 H=1", "G725 H=0", "", machine, "l.18582-18632"},
     {"eccentric turning along Z", "G726 H=1", "G726 H=0", "", machine, "l.18638-18700"},
     {"non-circular turning",      "G727 H=1", "G727 H=0", "", machine, "l.18707-18760"},
+    {"swinging speed",            "G924 H=1", "G924 H?0", "", machine, "l.18165-18174"},
+    {"radius compensation in the turning plane", "G41 Q?0, G42 Q?0", "G40, G41 Q=1|2|3|4, G42 Q=1|2|3|4", "", channel, "l.12692-12706"},
     {"HDT mode",                  "G931 H=1|2", "G931 H=0", "", channel, "l.18538-18570"},
     {"measuring",                 "G910", "G913", "", channel, "l.22275, l.22340"},
     {"monitoring of the measuring move", "G911", "G914, G913", "", channel, "l.22307, l.22344"},

@@ -42,6 +42,7 @@ constexpr BookLine lines[] = {
         excludes("X C", "XK YK", 16432, two_points).as(error).also("DIN233"),
         takes_not("AN BR", 16436, in_contours).also_before("G80").also("DIN663"),
         wants_c_axis,
+        refused(12701, "without Q1 the radius is compensated in the XZ plane").while_on("radius compensation in the turning plane"),
     code("G102 G103", 16463, "arc on the face"),
         word("X", 16469, "end diameter").without("modal"),
         word("C", 16470, "end angle").without("modal"),
@@ -64,6 +65,7 @@ constexpr BookLine lines[] = {
         takes_not("I", 16520, "with H3 the centre is told by J and K").when("H=3 -R"),
         takes_not("AN BR", 16498, in_contours).also_before("G80").also("DIN663"),
         wants_c_axis,
+        refused(12701, "without Q1 the radius is compensated in the XZ plane").while_on("radius compensation in the turning plane"),
     code("G110", 16535, "rapid traverse on the lateral surface"),
         word("Z", 16543, "end point in Z").without("modal"),
         word("C", 16544, "end angle").without("modal"),
@@ -82,6 +84,7 @@ constexpr BookLine lines[] = {
         excludes("C", "CY", 16603, two_angles).as(error).also("DIN232"),
         takes_not("AN BR", 16607, in_contours).also_before("G80").also("DIN663"),
         wants_c_axis, wants_reference_diameter,
+        refused(12702, "without Q2 the radius is compensated in the XZ plane").while_on("radius compensation in the turning plane"),
     code("G112 G113", 16628, "arc on the lateral surface"),
         word("Z", 16634, "end point in Z").without("modal"),
         word("C", 16635, "end angle").without("modal"),
@@ -99,6 +102,7 @@ constexpr BookLine lines[] = {
         excludes("R", "K J W", 16667, two_arcs).as(error),
         takes_not("AN BR", 16658, in_contours).also_before("G80").also("DIN663"),
         wants_c_axis, wants_reference_diameter,
+        refused(12702, "without Q2 the radius is compensated in the XZ plane").while_on("radius compensation in the turning plane"),
 };
 // clang-format on
 

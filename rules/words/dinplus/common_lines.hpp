@@ -73,4 +73,7 @@ inline constexpr BookLine names_turning_contour =
     book::names_none("NS", "G301 G302 G303 G304 G305 G307 G311 G312 G313 G314 G315 G317 G300 G310 G49 G306 G316 G401 G402 G411 G412 G471 G472 G481 G482", "G1", 20805, "it machines turning contours");
 // clang-format on
 
+inline constexpr BookLine not_while_speed_swings =
+    book::refused(18167, "the lead of the thread follows the speed").while_on("swinging speed");
+
 } // namespace maclint::code_books

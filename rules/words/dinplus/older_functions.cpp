@@ -80,7 +80,7 @@ constexpr BookLine lines[] = {
         word("F", 20663, "pitch of the thread").needed("the thread has no pitch"),
         word("U", 20664, "depth of the thread, above 0 inside").needed("the thread has no depth"),
         word("I", 20668, "greatest depth of a cut").without("calculated from pitch and depth"),
-        not_under_constant_cutting_speed,
+        not_under_constant_cutting_speed, not_while_speed_swings,
     code("G351", 20684, "longitudinal thread of several starts"),
         word("Z", 20690, "end of the thread").needed("the thread has no length"),
         word("F", 20691, "pitch of the thread").needed("the thread has no pitch"),
@@ -90,7 +90,7 @@ constexpr BookLine lines[] = {
         word("D", 20700, "number of starts").without("1"),
         word("J", 20701, "depth of the last cut").without("0.01"),
         word("E", 20702, "change of the pitch per revolution").without("0"),
-        not_under_constant_cutting_speed,
+        not_under_constant_cutting_speed, not_while_speed_swings,
     code("G15", 23226, "turning of the B axis, in the example of G16 alone").off(not_described),
         word("B", 23226, "position of the B axis"),
 };
