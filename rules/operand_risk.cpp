@@ -1,8 +1,8 @@
 //! Messages about values that a program may be given.
 #include "rules/operand_risk.hpp"
 
-#include "analyzer/queries/callers.hpp"
-#include "analyzer/queries/conditions.hpp"
+#include "analyzer/queries/calls/callers.hpp"
+#include "analyzer/queries/conditions/conditions.hpp"
 #include "rules/path.hpp"
 #include "rules/trace.hpp"
 

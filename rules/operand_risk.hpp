@@ -1,7 +1,7 @@
 //! What rules say of a value that a program may be given, and for which it has no use.
 #pragma once
 
-#include "analyzer/queries/operand_risks.hpp"
+#include "analyzer/queries/values/operand_risks.hpp"
 #include "rules/reporter.hpp"
 
 #include <string>

@@ -2,8 +2,8 @@
 #include "rules/path.hpp"
 
 #include "analyzer/program/tables.hpp"
-#include "analyzer/queries/origins.hpp"
-#include "analyzer/queries/path_steps.hpp"
+#include "analyzer/queries/paths/path_steps.hpp"
+#include "analyzer/queries/values/origins.hpp"
 #include "analyzer/source/encoding.hpp"
 
 #include <algorithm>

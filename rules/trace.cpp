@@ -1,10 +1,10 @@
 //! Paths of findings, made of the paths through the flow graph.
 #include "rules/trace.hpp"
 
-#include "analyzer/queries/callers.hpp"
-#include "analyzer/queries/feasible_paths.hpp"
-#include "analyzer/queries/origins.hpp"
-#include "analyzer/queries/provoking_calls.hpp"
+#include "analyzer/queries/calls/callers.hpp"
+#include "analyzer/queries/calls/provoking_calls.hpp"
+#include "analyzer/queries/paths/feasible_paths.hpp"
+#include "analyzer/queries/values/origins.hpp"
 #include "rules/path.hpp"
 
 #include <algorithm>

@@ -2,8 +2,8 @@
 #include "rules/word_check.hpp"
 
 #include "analyzer/program/lines_with.hpp"
-#include "analyzer/queries/modes_at.hpp"
-#include "analyzer/queries/switches_at.hpp"
+#include "analyzer/queries/machine/switches_at.hpp"
+#include "analyzer/queries/modal/modes_at.hpp"
 #include "analyzer/workspace/program_analysis.hpp"
 #include "rules/words/arcs_going_on.hpp"
 #include "rules/words/row_indexes.hpp"

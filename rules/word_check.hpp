@@ -1,7 +1,7 @@
 //! Rules on words: what such a rule looks at, and the one pass over a program's words that they all share.
 #pragma once
 
-#include "analyzer/queries/block_words.hpp"
+#include "analyzer/queries/words/block_words.hpp"
 #include "rules/rule.hpp"
 
 #include <span>

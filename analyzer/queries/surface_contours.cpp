@@ -5,7 +5,7 @@
 #include "analyzer/program/section_blocks.hpp"
 #include "analyzer/program/tables.hpp"
 #include "analyzer/program/word_lookup.hpp"
-#include "analyzer/queries/contour_names.hpp"
+#include "analyzer/queries/contours/contour_names.hpp"
 
 #include <algorithm>
 #include <array>

@@ -2,7 +2,7 @@
 //! stand in the text.
 #pragma once
 
-#include "analyzer/queries/turning_outline.hpp"
+#include "analyzer/queries/contours/turning_outline.hpp"
 
 #include <cstdint>
 #include <optional>

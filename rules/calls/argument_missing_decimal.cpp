@@ -1,8 +1,8 @@
 //! MAC408: a length that a macro call passes without its decimal point.
 #include "analyzer/dataflow/facts/read.hpp"
 #include "analyzer/program/tables.hpp"
-#include "analyzer/queries/call_words.hpp"
-#include "analyzer/queries/callers.hpp"
+#include "analyzer/queries/calls/call_words.hpp"
+#include "analyzer/queries/calls/callers.hpp"
 #include "analyzer/source/work_limit.hpp"
 #include "rules/fixes.hpp"
 #include "rules/path.hpp"

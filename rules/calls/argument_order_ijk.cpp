@@ -1,7 +1,7 @@
 //! MAC405: I, J and K of a macro call out of the order of the alphabet.
 #include "analyzer/program/tables.hpp"
-#include "analyzer/queries/call_words.hpp"
-#include "analyzer/queries/callers.hpp"
+#include "analyzer/queries/calls/call_words.hpp"
+#include "analyzer/queries/calls/callers.hpp"
 #include "rules/path.hpp"
 #include "rules/rule.hpp"
 

@@ -2,8 +2,8 @@
 #include "rules/calls/call_depth.hpp"
 
 #include "analyzer/program/tables.hpp"
-#include "analyzer/queries/call_depth.hpp"
-#include "analyzer/queries/callers.hpp"
+#include "analyzer/queries/calls/call_depth.hpp"
+#include "analyzer/queries/calls/callers.hpp"
 #include "rules/path.hpp"
 
 namespace maclint::rules {

@@ -1,6 +1,6 @@
 //! MAC470: a call whose program comes to its own alarm, whatever happens.
 #include "analyzer/dataflow/facts/call_begun.hpp"
-#include "analyzer/queries/alarmed_calls.hpp"
+#include "rules/calls/call_ends_in_alarm_finder.hpp"
 #include "rules/path.hpp"
 #include "rules/rule.hpp"
 #include "rules/trace.hpp"
@@ -80,7 +80,7 @@ N99#3000=101(A MISSING)
 O9472(STOP)
 #3000=102(NO LENGTH)
 )nc"}},
-    .exemptions = {{&queries::exemptions::called_to_stop,
+    .exemptions = {{&exemptions::called_to_stop,
                     "called-to-stop",
                     "The called program is there for alarms, and nothing stands behind the call that only it "
                     "leads to: it is called to stop.",
@@ -101,25 +101,25 @@ M99
 
 namespace {
 
-std::string names_of(const queries::AlarmedCall& call) {
+std::string names_of(const AlarmedCall& call) {
     std::string names;
     for (const Variable variable : call.vacant)
         names += (names.empty() ? "" : ", ") + with_letter(*call.called, variable);
     return names;
 }
 
-std::string_view message_for(const queries::AlarmedCall& call) {
+std::string_view message_for(const AlarmedCall& call) {
     switch (call.reason) {
-    case queries::AlarmReason::left_out: return call.vacant.empty() ? "vacant" : "left-out";
-    case queries::AlarmReason::out_of_order: return "order";
-    case queries::AlarmReason::fallen_in: return "fallen-in";
-    case queries::AlarmReason::always: break;
+    case AlarmReason::left_out: return call.vacant.empty() ? "vacant" : "left-out";
+    case AlarmReason::out_of_order: return "order";
+    case AlarmReason::fallen_in: return "fallen-in";
+    case AlarmReason::always: break;
     }
     return "always";
 }
 
 /// How the called program gets to its alarm.
-void add_steps(Finding& finding, const queries::AlarmReached& alarm) {
+void add_steps(Finding& finding, const AlarmReached& alarm) {
     if (!alarm.is_one_of_several)
         for (RelatedLocation& step : steps_along(*alarm.program, alarm.path))
             finding.related.push_back(std::move(step));
@@ -128,7 +128,7 @@ void add_steps(Finding& finding, const queries::AlarmReached& alarm) {
 
 void check(const ProgramAnalysis& analysis, Reporter& reporter) {
     const Program& program = analysis.program();
-    for (const queries::AlarmedCall& call : queries::find_alarmed_calls(analysis)) {
+    for (const AlarmedCall& call : find_alarmed_calls(analysis)) {
         const Span span = program.effects[call.call].span;
         const ProgramAnalysis& stopping = *call.alarm.program;
         const std::string alarm = std::string(call.alarm.is_one_of_several ? "an alarm, as " : "") + "'" +

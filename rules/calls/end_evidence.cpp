@@ -2,8 +2,8 @@
 #include "rules/calls/end_evidence.hpp"
 
 #include "analyzer/program/tables.hpp"
-#include "analyzer/queries/callers.hpp"
-#include "analyzer/queries/exits.hpp"
+#include "analyzer/queries/calls/callers.hpp"
+#include "analyzer/queries/paths/exits.hpp"
 #include "rules/path.hpp"
 
 namespace maclint::rules {

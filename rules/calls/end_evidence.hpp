@@ -1,7 +1,7 @@
 //! What MAC456 says of the reasons why a program must not run past its last block.
 #pragma once
 
-#include "analyzer/queries/expected_ends.hpp"
+#include "analyzer/queries/calls/expected_ends.hpp"
 #include "rules/finding.hpp"
 
 #include <optional>

@@ -1,7 +1,7 @@
 //! MAC457: a called program that ends the job instead of returning.
 #include "analyzer/program/tables.hpp"
-#include "analyzer/queries/callers.hpp"
-#include "analyzer/queries/exits.hpp"
+#include "analyzer/queries/calls/callers.hpp"
+#include "analyzer/queries/paths/exits.hpp"
 #include "analyzer/workspace/program_analysis.hpp"
 #include "rules/path.hpp"
 #include "rules/rule.hpp"

@@ -1,6 +1,6 @@
 //! MAC404: a word that a macro call cannot pass.
 #include "analyzer/program/tables.hpp"
-#include "analyzer/queries/call_words.hpp"
+#include "analyzer/queries/calls/call_words.hpp"
 #include "rules/path.hpp"
 #include "rules/rule.hpp"
 

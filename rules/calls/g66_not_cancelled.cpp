@@ -1,8 +1,8 @@
 //! MAC413: a modal macro call that stays on.
 #include "analyzer/dataflow/facts/exit_state.hpp"
 #include "analyzer/dataflow/facts/point_state.hpp"
-#include "analyzer/queries/exits.hpp"
-#include "analyzer/queries/origins.hpp"
+#include "analyzer/queries/paths/exits.hpp"
+#include "analyzer/queries/values/origins.hpp"
 #include "analyzer/workspace/program_analysis.hpp"
 #include "rules/fixes.hpp"
 #include "rules/path.hpp"

@@ -1,6 +1,6 @@
 //! MAC417: how often a program runs stands in the digits of its number.
 #include "analyzer/program/tables.hpp"
-#include "analyzer/queries/call_words.hpp"
+#include "analyzer/queries/calls/call_words.hpp"
 #include "analyzer/source/work_limit.hpp"
 #include "rules/fixes.hpp"
 #include "rules/path.hpp"

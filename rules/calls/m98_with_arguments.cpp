@@ -1,7 +1,7 @@
 //! MAC418: a subprogram call with words that only a macro call passes.
 #include "analyzer/program/tables.hpp"
-#include "analyzer/queries/call_words.hpp"
-#include "analyzer/queries/callers.hpp"
+#include "analyzer/queries/calls/call_words.hpp"
+#include "analyzer/queries/calls/callers.hpp"
 #include "rules/listed.hpp"
 #include "rules/path.hpp"
 #include "rules/rule.hpp"

@@ -1,7 +1,7 @@
 //! MAC402: a call of a program that is not there.
 #include "analyzer/program/tables.hpp"
-#include "analyzer/queries/callers.hpp"
-#include "analyzer/queries/sections.hpp"
+#include "analyzer/queries/calls/callers.hpp"
+#include "analyzer/queries/structure/sections.hpp"
 #include "analyzer/source/work_limit.hpp"
 #include "analyzer/workspace/program_analysis.hpp"
 #include "rules/path.hpp"

@@ -1,5 +1,5 @@
 //! MAC412: a program that calls itself.
-#include "analyzer/queries/callers.hpp"
+#include "analyzer/queries/calls/callers.hpp"
 #include "analyzer/workspace/program_analysis.hpp"
 #include "rules/path.hpp"
 #include "rules/rule.hpp"

@@ -1,8 +1,8 @@
 //! MAC426: a subprogram is to start at a block that it does not have.
 #include "analyzer/program/block_view.hpp"
 #include "analyzer/program/tables.hpp"
-#include "analyzer/queries/call_words.hpp"
-#include "analyzer/queries/callers.hpp"
+#include "analyzer/queries/calls/call_words.hpp"
+#include "analyzer/queries/calls/callers.hpp"
 #include "rules/path.hpp"
 #include "rules/rule.hpp"
 

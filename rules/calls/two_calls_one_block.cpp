@@ -1,7 +1,7 @@
 //! MAC423: two codes of one block that call or end a program.
 #include "analyzer/program/tables.hpp"
-#include "analyzer/queries/call_words.hpp"
-#include "analyzer/queries/callers.hpp"
+#include "analyzer/queries/calls/call_words.hpp"
+#include "analyzer/queries/calls/callers.hpp"
 #include "rules/path.hpp"
 #include "rules/rule.hpp"
 

@@ -1,6 +1,6 @@
 //! MAC403: words that a macro call does not take, because they stand before it.
 #include "analyzer/program/tables.hpp"
-#include "analyzer/queries/call_words.hpp"
+#include "analyzer/queries/calls/call_words.hpp"
 #include "rules/path.hpp"
 #include "rules/rule.hpp"
 

@@ -2,9 +2,9 @@
 #include "analyzer/dataflow/facts/point_state.hpp"
 #include "analyzer/program/block_view.hpp"
 #include "analyzer/program/tables.hpp"
-#include "analyzer/queries/call_words.hpp"
-#include "analyzer/queries/callers.hpp"
-#include "analyzer/queries/modes_at.hpp"
+#include "analyzer/queries/calls/call_words.hpp"
+#include "analyzer/queries/calls/callers.hpp"
+#include "analyzer/queries/modal/modes_at.hpp"
 #include "rules/path.hpp"
 #include "rules/rule.hpp"
 

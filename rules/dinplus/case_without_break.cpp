@@ -1,5 +1,5 @@
 //! DIN410: a branch that may run into the next one.
-#include "analyzer/queries/fall_throughs.hpp"
+#include "analyzer/queries/structure/fall_throughs.hpp"
 #include "analyzer/workspace/program_analysis.hpp"
 #include "rules/path.hpp"
 #include "rules/rule.hpp"

@@ -1,7 +1,7 @@
 //! DIN108: G99 chooses a contour group that the program does not describe.
 #include "analyzer/program/section_blocks.hpp"
 #include "analyzer/program/word_lookup.hpp"
-#include "analyzer/queries/sections.hpp"
+#include "analyzer/queries/structure/sections.hpp"
 #include "analyzer/workspace/program_analysis.hpp"
 #include "rules/path.hpp"
 #include "rules/rule.hpp"

@@ -1,5 +1,5 @@
 //! DIN205: a cycle asks for a contour by a name that no contour has.
-#include "analyzer/queries/contour_names.hpp"
+#include "analyzer/queries/contours/contour_names.hpp"
 #include "rules/fixes.hpp"
 #include "rules/path.hpp"
 #include "rules/rule.hpp"

@@ -2,7 +2,7 @@
 #include "analyzer/program/block_view.hpp"
 #include "analyzer/program/numbered_blocks.hpp"
 #include "analyzer/program/section_kinds.hpp"
-#include "analyzer/queries/wrong_places.hpp"
+#include "analyzer/queries/structure/wrong_places.hpp"
 #include "analyzer/workspace/program_analysis.hpp"
 #include "rules/path.hpp"
 #include "rules/rule.hpp"

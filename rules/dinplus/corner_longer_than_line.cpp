@@ -1,5 +1,5 @@
 //! DIN239: a chamfer or rounding that is longer than the line which it stands on.
-#include "analyzer/queries/turning_outline.hpp"
+#include "analyzer/queries/contours/turning_outline.hpp"
 #include "analyzer/workspace/program_analysis.hpp"
 #include "rules/path.hpp"
 #include "rules/rule.hpp"

@@ -1,5 +1,5 @@
 //! DIN117: a tool twice in the list.
-#include "analyzer/queries/tool_words.hpp"
+#include "analyzer/queries/machine/tool_words.hpp"
 #include "rules/path.hpp"
 #include "rules/rule.hpp"
 

@@ -1,6 +1,6 @@
 //! DIN209: a finished part that its blank does not hold.
-#include "analyzer/queries/sections.hpp"
-#include "analyzer/queries/turning_outline.hpp"
+#include "analyzer/queries/contours/turning_outline.hpp"
+#include "analyzer/queries/structure/sections.hpp"
 #include "analyzer/workspace/program_analysis.hpp"
 #include "rules/path.hpp"
 #include "rules/rule.hpp"

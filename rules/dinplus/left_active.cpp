@@ -2,10 +2,10 @@
 #include "rules/dinplus/left_active.hpp"
 
 #include "analyzer/program/tables.hpp"
-#include "analyzer/queries/exits.hpp"
-#include "analyzer/queries/left_active.hpp"
-#include "analyzer/queries/modal_leaks.hpp"
-#include "analyzer/queries/modal_parts.hpp"
+#include "analyzer/queries/modal/left_active.hpp"
+#include "analyzer/queries/modal/modal_leaks.hpp"
+#include "analyzer/queries/modal/modal_parts.hpp"
+#include "analyzer/queries/paths/exits.hpp"
 #include "rules/fixes.hpp"
 #include "rules/modal/modal_leak.hpp"
 

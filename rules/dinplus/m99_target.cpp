@@ -1,7 +1,7 @@
 //! DIN415: M99 NS names a block that is not there.
 #include "analyzer/program/numbered_blocks.hpp"
 #include "analyzer/program/section_kinds.hpp"
-#include "analyzer/queries/wrong_places.hpp"
+#include "analyzer/queries/structure/wrong_places.hpp"
 #include "analyzer/workspace/program_analysis.hpp"
 #include "rules/path.hpp"
 #include "rules/rule.hpp"

@@ -1,7 +1,7 @@
 //! DIN241: a pocket is milled whose contour is not closed.
 #include "analyzer/program/section_blocks.hpp"
 #include "analyzer/program/word_lookup.hpp"
-#include "analyzer/queries/contour_names.hpp"
+#include "analyzer/queries/contours/contour_names.hpp"
 #include "analyzer/queries/surface_contours.hpp"
 #include "analyzer/workspace/program_analysis.hpp"
 #include "rules/path.hpp"

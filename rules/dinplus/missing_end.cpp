@@ -1,7 +1,7 @@
 //! DIN102: a main program without END.
 #include "analyzer/program/block_view.hpp"
 #include "analyzer/program/tables.hpp"
-#include "analyzer/queries/sections.hpp"
+#include "analyzer/queries/structure/sections.hpp"
 #include "analyzer/workspace/program_analysis.hpp"
 #include "rules/rule.hpp"
 

@@ -1,6 +1,6 @@
 //! DIN101: a main program without MACHINING.
 #include "analyzer/program/tables.hpp"
-#include "analyzer/queries/sections.hpp"
+#include "analyzer/queries/structure/sections.hpp"
 #include "analyzer/workspace/program_analysis.hpp"
 #include "rules/rule.hpp"
 

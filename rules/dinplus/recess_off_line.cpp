@@ -1,7 +1,7 @@
 //! DIN213: a recess, an undercut or a run-out that its line has no room for.
 #include "analyzer/program/section_blocks.hpp"
 #include "analyzer/program/word_lookup.hpp"
-#include "analyzer/queries/turning_outline.hpp"
+#include "analyzer/queries/contours/turning_outline.hpp"
 #include "analyzer/workspace/program_analysis.hpp"
 #include "rules/path.hpp"
 #include "rules/rule.hpp"

@@ -1,7 +1,7 @@
 //! DIN930: a measuring cycle leaves its errors to the program, which does not ask for them.
 #include "analyzer/program/word_lookup.hpp"
-#include "analyzer/queries/block_words.hpp"
-#include "analyzer/queries/machine_reads.hpp"
+#include "analyzer/queries/machine/machine_reads.hpp"
+#include "analyzer/queries/words/block_words.hpp"
 #include "rules/path.hpp"
 #include "rules/rule.hpp"
 

@@ -1,5 +1,5 @@
 //! DIN105: a section in front of the one that it belongs after.
-#include "analyzer/queries/sections.hpp"
+#include "analyzer/queries/structure/sections.hpp"
 #include "analyzer/workspace/program_analysis.hpp"
 #include "rules/rule.hpp"
 

@@ -1,6 +1,6 @@
 //! DIN109: a word beside the name of a section, or in its description, that the section does not take.
 #include "analyzer/program/block_view.hpp"
-#include "analyzer/queries/sections.hpp"
+#include "analyzer/queries/structure/sections.hpp"
 #include "analyzer/workspace/program_analysis.hpp"
 #include "rules/path.hpp"
 #include "rules/rule.hpp"

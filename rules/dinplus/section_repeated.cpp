@@ -1,5 +1,5 @@
 //! DIN106: a section more often than a program may have it.
-#include "analyzer/queries/sections.hpp"
+#include "analyzer/queries/structure/sections.hpp"
 #include "analyzer/workspace/program_analysis.hpp"
 #include "rules/rule.hpp"
 

@@ -1,5 +1,5 @@
 //! DIN409: SWITCH and ENDSWITCH do not pair, or a branch stands outside.
-#include "analyzer/queries/region_faults.hpp"
+#include "analyzer/queries/structure/region_faults.hpp"
 #include "analyzer/workspace/program_analysis.hpp"
 #include "rules/path.hpp"
 #include "rules/region_faults.hpp"

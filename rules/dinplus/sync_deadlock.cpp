@@ -1,5 +1,5 @@
 //! DIN903: slides that wait for each other for good.
-#include "analyzer/queries/sync_order.hpp"
+#include "analyzer/queries/channels/sync_order.hpp"
 #include "rules/path.hpp"
 #include "rules/rule.hpp"
 

@@ -1,5 +1,5 @@
 //! DIN902: a wait for a mark that is never set.
-#include "analyzer/queries/sync_marks.hpp"
+#include "analyzer/queries/channels/sync_marks.hpp"
 #include "rules/path.hpp"
 #include "rules/rule.hpp"
 

@@ -1,5 +1,5 @@
 //! DIN119: an edge of a tool that there is none of.
-#include "analyzer/queries/tool_words.hpp"
+#include "analyzer/queries/machine/tool_words.hpp"
 #include "rules/path.hpp"
 #include "rules/rule.hpp"
 

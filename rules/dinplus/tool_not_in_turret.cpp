@@ -1,5 +1,5 @@
 //! DIN118: a tool that the list does not hold.
-#include "analyzer/queries/tool_words.hpp"
+#include "analyzer/queries/machine/tool_words.hpp"
 #include "rules/path.hpp"
 #include "rules/rule.hpp"
 

@@ -1,7 +1,7 @@
 //! DIN705: NS and NE name blocks of two contours.
 #include "analyzer/program/section_blocks.hpp"
 #include "analyzer/program/word_lookup.hpp"
-#include "analyzer/queries/contour_blocks.hpp"
+#include "analyzer/queries/contours/contour_blocks.hpp"
 #include "analyzer/workspace/program_analysis.hpp"
 #include "rules/path.hpp"
 #include "rules/rule.hpp"

@@ -1,5 +1,5 @@
 //! DIN404: WHILE and ENDWHILE do not pair.
-#include "analyzer/queries/region_faults.hpp"
+#include "analyzer/queries/structure/region_faults.hpp"
 #include "analyzer/workspace/program_analysis.hpp"
 #include "rules/path.hpp"
 #include "rules/region_faults.hpp"

@@ -1,5 +1,5 @@
 //! MAC312: a loop that is never closed.
-#include "analyzer/queries/region_faults.hpp"
+#include "analyzer/queries/structure/region_faults.hpp"
 #include "analyzer/workspace/program_analysis.hpp"
 #include "rules/path.hpp"
 #include "rules/rule.hpp"

@@ -1,5 +1,5 @@
 //! MAC318: an endless loop by its form.
-#include "analyzer/queries/loop_exits.hpp"
+#include "analyzer/queries/loops/loop_exits.hpp"
 #include "analyzer/workspace/program_analysis.hpp"
 #include "rules/path.hpp"
 #include "rules/rule.hpp"

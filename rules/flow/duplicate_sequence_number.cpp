@@ -1,5 +1,5 @@
 //! MAC462: two blocks with one number that something jumps to.
-#include "analyzer/queries/repeated_numbers.hpp"
+#include "analyzer/queries/structure/repeated_numbers.hpp"
 #include "analyzer/workspace/program_analysis.hpp"
 #include "rules/path.hpp"
 #include "rules/rule.hpp"

@@ -1,5 +1,5 @@
 //! MAC336: blocks that a jump repeats for ever.
-#include "analyzer/queries/loop_exits.hpp"
+#include "analyzer/queries/loops/loop_exits.hpp"
 #include "analyzer/workspace/program_analysis.hpp"
 #include "rules/path.hpp"
 #include "rules/rule.hpp"

@@ -2,8 +2,8 @@
 #include "rules/flow/endless_loop_words.hpp"
 
 #include "analyzer/program/tables.hpp"
-#include "analyzer/queries/loop_counter.hpp"
-#include "analyzer/queries/loop_exits.hpp"
+#include "analyzer/queries/loops/loop_counter.hpp"
+#include "analyzer/queries/loops/loop_exits.hpp"
 #include "rules/listed.hpp"
 #include "rules/path.hpp"
 

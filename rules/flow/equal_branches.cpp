@@ -1,6 +1,5 @@
 //! MAC337: both outcomes of an IF do the same.
-#include "analyzer/queries/equal_branches.hpp"
-
+#include "rules/flow/equal_branches_finder.hpp"
 #include "rules/path.hpp"
 #include "rules/rule.hpp"
 
@@ -72,7 +71,7 @@ namespace {
 
 void check(const ProgramAnalysis& analysis, Reporter& reporter) {
     const Program& program = analysis.program();
-    for (const queries::EqualBranches& equal : queries::find_equal_branches(analysis)) {
+    for (const EqualBranches& equal : find_equal_branches(analysis)) {
         const Span span = program.expressions[equal.condition].span;
         Finding& finding =
             reporter.report({analysis, equal.effect}, span, "same",

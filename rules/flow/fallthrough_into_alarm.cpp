@@ -1,6 +1,6 @@
 //! MAC461: a program that runs into its own alarm.
 #include "analyzer/dataflow/solver/alarm_end.hpp"
-#include "analyzer/queries/callers.hpp"
+#include "analyzer/queries/calls/callers.hpp"
 #include "rules/path.hpp"
 #include "rules/rule.hpp"
 #include "rules/trace.hpp"

@@ -1,7 +1,7 @@
 //! MAC302: a jump to an alarm, where a block one digit away is never reached.
-#include "analyzer/queries/exits.hpp"
-#include "analyzer/queries/sequence_numbers.hpp"
-#include "analyzer/queries/unreached_regions.hpp"
+#include "analyzer/queries/paths/exits.hpp"
+#include "analyzer/queries/paths/unreached_regions.hpp"
+#include "analyzer/queries/structure/sequence_numbers.hpp"
 #include "rules/path.hpp"
 #include "rules/rule.hpp"
 

@@ -1,9 +1,9 @@
 //! MAC320: the step of a loop's counter may be 0, or has the wrong sign.
 #include "analyzer/dataflow/facts/comparison.hpp"
 #include "analyzer/dataflow/facts/store.hpp"
-#include "analyzer/queries/loop_counter.hpp"
-#include "analyzer/queries/loop_steps.hpp"
-#include "analyzer/queries/origins.hpp"
+#include "analyzer/queries/loops/loop_counter.hpp"
+#include "analyzer/queries/loops/loop_steps.hpp"
+#include "analyzer/queries/values/origins.hpp"
 #include "analyzer/workspace/program_analysis.hpp"
 #include "rules/path.hpp"
 #include "rules/rule.hpp"

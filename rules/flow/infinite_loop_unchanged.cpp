@@ -1,7 +1,7 @@
 //! MAC319: nothing that decides whether a loop ends changes in it.
 #include "analyzer/dataflow/facts/comparison.hpp"
 #include "analyzer/dataflow/facts/store.hpp"
-#include "analyzer/queries/loop_exits.hpp"
+#include "analyzer/queries/loops/loop_exits.hpp"
 #include "analyzer/workspace/program_analysis.hpp"
 #include "rules/flow/endless_loop_words.hpp"
 #include "rules/path.hpp"

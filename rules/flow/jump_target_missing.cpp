@@ -1,6 +1,6 @@
 //! MAC301: a jump to nowhere.
 #include "analyzer/dataflow/facts/computed_jump.hpp"
-#include "analyzer/queries/sequence_numbers.hpp"
+#include "analyzer/queries/structure/sequence_numbers.hpp"
 #include "analyzer/workspace/program_analysis.hpp"
 #include "rules/listed.hpp"
 #include "rules/path.hpp"

@@ -1,8 +1,8 @@
 //! MAC322: a loop that only equality ends, which its counter steps over.
 #include "analyzer/dataflow/facts/comparison.hpp"
 #include "analyzer/dataflow/facts/store.hpp"
-#include "analyzer/queries/callers.hpp"
-#include "analyzer/queries/missed_bounds.hpp"
+#include "analyzer/queries/calls/callers.hpp"
+#include "rules/flow/loop_exit_only_by_equality_finder.hpp"
 #include "rules/path.hpp"
 #include "rules/rule.hpp"
 #include "rules/trace.hpp"
@@ -69,7 +69,7 @@ namespace {
 
 void check(const ProgramAnalysis& analysis, Reporter& reporter) {
     const Program& program = analysis.program();
-    for (const queries::MissedBound& missed : queries::find_missed_bounds(analysis)) {
+    for (const MissedBound& missed : find_missed_bounds(analysis)) {
         const Span span = program.effects[missed.step->effect].span;
         const Span test = program.expressions[missed.test->expression].span;
         std::string call;

@@ -1,7 +1,7 @@
 //! MAC321: a loop that does not run, because its counter is as an earlier loop left it.
 #include "analyzer/dataflow/facts/condition.hpp"
 #include "analyzer/dataflow/facts/store.hpp"
-#include "analyzer/queries/loop_exits.hpp"
+#include "analyzer/queries/loops/loop_exits.hpp"
 #include "rules/path.hpp"
 #include "rules/rule.hpp"
 #include "rules/trace.hpp"

@@ -1,6 +1,6 @@
 //! MAC314: a loop number that the control does not have.
 #include "analyzer/program/tables.hpp"
-#include "analyzer/queries/region_faults.hpp"
+#include "analyzer/queries/structure/region_faults.hpp"
 #include "analyzer/workspace/program_analysis.hpp"
 #include "rules/path.hpp"
 #include "rules/rule.hpp"

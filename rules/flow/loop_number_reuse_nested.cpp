@@ -1,5 +1,5 @@
 //! MAC317: a loop number that is in use.
-#include "analyzer/queries/region_faults.hpp"
+#include "analyzer/queries/structure/region_faults.hpp"
 #include "analyzer/workspace/program_analysis.hpp"
 #include "rules/path.hpp"
 #include "rules/rule.hpp"

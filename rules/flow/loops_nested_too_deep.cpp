@@ -1,6 +1,6 @@
 //! MAC315: one loop level too many.
 #include "analyzer/program/tables.hpp"
-#include "analyzer/queries/region_faults.hpp"
+#include "analyzer/queries/structure/region_faults.hpp"
 #include "analyzer/workspace/program_analysis.hpp"
 #include "rules/path.hpp"
 #include "rules/rule.hpp"

@@ -1,7 +1,7 @@
 //! MAC333: a return to a block that the caller lacks.
 #include "analyzer/dataflow/facts/exit_state.hpp"
 #include "analyzer/program/tables.hpp"
-#include "analyzer/queries/callers.hpp"
+#include "analyzer/queries/calls/callers.hpp"
 #include "analyzer/workspace/program_analysis.hpp"
 #include "rules/path.hpp"
 #include "rules/rule.hpp"

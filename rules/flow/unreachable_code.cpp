@@ -1,5 +1,5 @@
 //! MAC460: blocks that no path reaches.
-#include "analyzer/queries/unreached_regions.hpp"
+#include "analyzer/queries/paths/unreached_regions.hpp"
 #include "rules/flow/unreached_words.hpp"
 #include "rules/path.hpp"
 #include "rules/rule.hpp"

@@ -1,7 +1,7 @@
 //! Blocks that no path reaches, in words.
 #pragma once
 
-#include "analyzer/queries/unreached_regions.hpp"
+#include "analyzer/queries/paths/unreached_regions.hpp"
 #include "analyzer/source/exemption.hpp"
 
 #include <optional>

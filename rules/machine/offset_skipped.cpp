@@ -1,7 +1,7 @@
 //! Looks for a path around the block that chooses the offset.
 #include "rules/machine/offset_skipped.hpp"
 
-#include "analyzer/queries/feasible_paths.hpp"
+#include "analyzer/queries/paths/feasible_paths.hpp"
 #include "rules/path.hpp"
 
 #include <array>

@@ -1,7 +1,7 @@
 //! Follows the blocks between P and Q.
 #include "rules/machine/profile_path.hpp"
 
-#include "analyzer/queries/enclosed_blocks.hpp"
+#include "analyzer/queries/words/enclosed_blocks.hpp"
 
 #include <algorithm>
 #include <cmath>

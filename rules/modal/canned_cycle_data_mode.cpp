@@ -1,6 +1,6 @@
 //! MAC564: levels of a canned cycle that are given under G91 and used under G90.
 #include "analyzer/dataflow/facts/point_state.hpp"
-#include "analyzer/queries/stored_cycles.hpp"
+#include "analyzer/queries/words/stored_cycles.hpp"
 #include "rules/path.hpp"
 #include "rules/rule.hpp"
 

@@ -2,8 +2,8 @@
 //! approached.
 #include "analyzer/dataflow/facts/point_state.hpp"
 #include "analyzer/program/tables.hpp"
-#include "analyzer/queries/left_active.hpp"
-#include "analyzer/queries/modes_at.hpp"
+#include "analyzer/queries/modal/left_active.hpp"
+#include "analyzer/queries/modal/modes_at.hpp"
 #include "analyzer/workspace/program_analysis.hpp"
 #include "rules/fixes.hpp"
 #include "rules/path.hpp"

@@ -1,6 +1,6 @@
 //! MAC565: a canned cycle that is stored and never carried out.
 #include "analyzer/dataflow/facts/point_state.hpp"
-#include "analyzer/queries/stored_cycles.hpp"
+#include "analyzer/queries/words/stored_cycles.hpp"
 #include "rules/path.hpp"
 #include "rules/rule.hpp"
 

@@ -1,8 +1,8 @@
 //! MAC529: a chamfer or a corner that the control cannot make.
 #include "analyzer/dataflow/facts/point_state.hpp"
 #include "analyzer/program/tables.hpp"
-#include "analyzer/queries/corner_words.hpp"
 #include "analyzer/workspace/program_analysis.hpp"
+#include "rules/modal/chamfer_or_corner_words_finder.hpp"
 #include "rules/path.hpp"
 #include "rules/rule.hpp"
 
@@ -77,7 +77,7 @@ M30
 namespace {
 
 void check(const ProgramAnalysis& analysis, Reporter& reporter) {
-    queries::for_each_impossible_corner(analysis, [&](const queries::ImpossibleCorner& corner) {
+    for_each_impossible_corner(analysis, [&](const ImpossibleCorner& corner) {
         Finding& finding = reporter.report({analysis, corner.word.span}, corner.word.span, corner.why,
                                            {corner.words, corner.code});
         if (!analysis.control().assumed && corner.why != "no_end") return;

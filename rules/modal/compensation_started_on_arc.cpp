@@ -1,8 +1,8 @@
 //! MAC511: cutter compensation that is switched on, off or over in a block that moves on an arc.
 #include "analyzer/dataflow/facts/point_state.hpp"
 #include "analyzer/program/tables.hpp"
-#include "analyzer/queries/compensation_changes.hpp"
 #include "analyzer/workspace/program_analysis.hpp"
+#include "rules/modal/compensation_started_on_arc_finder.hpp"
 #include "rules/path.hpp"
 #include "rules/rule.hpp"
 #include "rules/trace.hpp"
@@ -67,8 +67,8 @@ M30
 
 namespace {
 
-std::string_view message_of(queries::CompensationChange::Kind kind) {
-    using Kind = queries::CompensationChange::Kind;
+std::string_view message_of(CompensationChange::Kind kind) {
+    using Kind = CompensationChange::Kind;
     switch (kind) {
     case Kind::on: return "on";
     case Kind::off: return "off";
@@ -78,13 +78,13 @@ std::string_view message_of(queries::CompensationChange::Kind kind) {
 }
 
 void check(const ProgramAnalysis& analysis, Reporter& reporter) {
-    queries::for_each_compensation_change_in_arc(analysis, [&](const queries::CompensationChange& change) {
+    for_each_compensation_change_in_arc(analysis, [&](const CompensationChange& change) {
         const ControlModel& control = analysis.control();
         Finding& finding = reporter.report(
             {analysis, change.block}, change.block, message_of(change.kind),
             {control.spell(change.group, change.code), control.spell(change.motion, change.circle)});
         // It is allowed, and seldom meant.
-        if (change.kind == queries::CompensationChange::Kind::over) {
+        if (change.kind == CompensationChange::Kind::over) {
             finding.severity = Severity::warning;
             finding.alarm = {};
         }

@@ -1,7 +1,7 @@
 //! MAC559: an address twice in a block.
 #include "analyzer/program/tables.hpp"
-#include "analyzer/queries/block_words.hpp"
-#include "analyzer/queries/call_words.hpp"
+#include "analyzer/queries/calls/call_words.hpp"
+#include "analyzer/queries/words/block_words.hpp"
 #include "analyzer/workspace/program_analysis.hpp"
 #include "rules/fixes.hpp"
 #include "rules/path.hpp"

@@ -2,7 +2,7 @@
 #include "rules/modal/misplaced_save.hpp"
 
 #include "analyzer/program/tables.hpp"
-#include "analyzer/queries/misplaced_saves.hpp"
+#include "rules/modal/restore_from_wrong_variable_finder.hpp"
 #include "rules/path.hpp"
 #include "rules/trace.hpp"
 
@@ -13,9 +13,9 @@ namespace maclint::rules {
 
 void report_misplaced_saves(const ProgramAnalysis& analysis, Reporter& reporter) {
     if (analysis.is_main()) return;
-    using Kind = queries::MisplacedSave::Kind;
+    using Kind = MisplacedSave::Kind;
     const Program& program = analysis.program();
-    for (const queries::MisplacedSave& misplaced : queries::find_misplaced_saves(analysis)) {
+    for (const MisplacedSave& misplaced : find_misplaced_saves(analysis)) {
         const Span word = program.effects[misplaced.write->effect].span;
         const Span save = program.effects[misplaced.save->effect].span;
         const bool is_twice = misplaced.kind == Kind::twice;

@@ -1,8 +1,8 @@
 //! MAC514: two codes of one modal group in a block.
 #include "analyzer/program/tables.hpp"
-#include "analyzer/queries/block_words.hpp"
-#include "analyzer/queries/exclusive_codes.hpp"
+#include "analyzer/queries/words/block_words.hpp"
 #include "analyzer/workspace/program_analysis.hpp"
+#include "rules/modal/modal_group_conflict_finder.hpp"
 #include "rules/path.hpp"
 #include "rules/rule.hpp"
 #include "rules/word_check.hpp"
@@ -79,13 +79,13 @@ namespace {
 struct Member {
     const Word* word;
     double code;
-    queries::ExclusiveKind kind;
+    ExclusiveKind kind;
 };
 
 std::optional<Member> member(const ControlModel& control, const Word& word) {
     const auto* code = std::get_if<Literal>(&word.value);
     if (code == nullptr || (word.address != "G" && word.address != "M")) return std::nullopt;
-    const auto kind = queries::exclusive_kind(control, word.address.front(), code->value);
+    const auto kind = exclusive_kind(control, word.address.front(), code->value);
     return kind ? std::optional(Member{&word, code->value, *kind}) : std::nullopt;
 }
 

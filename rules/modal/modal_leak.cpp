@@ -2,10 +2,10 @@
 #include "rules/modal/modal_leak.hpp"
 
 #include "analyzer/program/tables.hpp"
-#include "analyzer/queries/exits.hpp"
-#include "analyzer/queries/modal_parts.hpp"
-#include "analyzer/queries/origins.hpp"
-#include "analyzer/queries/saved_state.hpp"
+#include "analyzer/queries/modal/modal_parts.hpp"
+#include "analyzer/queries/modal/saved_state.hpp"
+#include "analyzer/queries/paths/exits.hpp"
+#include "analyzer/queries/values/origins.hpp"
 #include "rules/path.hpp"
 #include "rules/trace.hpp"
 
@@ -66,7 +66,7 @@ std::string cure_by_saving(const ProgramAnalysis& analysis, const queries::Modal
         return name + " holds the caller's since line " + line_number(analysis.file(), place) + ": write " +
                letter + name + before;
     }
-    const auto free = queries::find_free_local(program);
+    const auto free = find_free_local(program);
     if (!free) return "Save " + *variable + " at the start, and put it back" + before;
     const std::string name = program.spell(*free);
     return "Add " + name + "=" + *variable + " at the start, and " + letter + name + before;

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "analyzer/dataflow/facts/store.hpp"
-#include "analyzer/queries/modal_leaks.hpp"
+#include "analyzer/queries/modal/modal_leaks.hpp"
 #include "analyzer/workspace/program_analysis.hpp"
 #include "rules/finding.hpp"
 #include "rules/rule.hpp"

@@ -2,9 +2,9 @@
 #include "analyzer/dataflow/facts/modal_write.hpp"
 #include "analyzer/dataflow/facts/store.hpp"
 #include "analyzer/program/tables.hpp"
-#include "analyzer/queries/free_variable.hpp"
-#include "analyzer/queries/overwritten_saves.hpp"
 #include "analyzer/workspace/program_analysis.hpp"
+#include "rules/modal/saved_value_lost_saves_finder.hpp"
+#include "rules/modal/saved_value_lost_variable_finder.hpp"
 #include "rules/path.hpp"
 #include "rules/rule.hpp"
 #include "rules/trace.hpp"
@@ -52,7 +52,7 @@ G#33
 M99
 )nc"}},
     .exemptions =
-        {{&queries::exemptions::computed_from_the_saved,
+        {{&exemptions::computed_from_the_saved,
           "computed-from-the-saved",
           "The new value is calculated from the saved one: a feed or speed that is made slower or faster.",
           {"fanuc", R"nc(
@@ -70,9 +70,9 @@ namespace {
 
 void check(const ProgramAnalysis& analysis, Reporter& reporter) {
     const Program& program = analysis.program();
-    const std::vector<queries::OverwrittenSave> all_lost = queries::overwritten_saves(analysis);
-    const auto other = all_lost.empty() ? std::nullopt : queries::find_free_local(analysis);
-    for (const queries::OverwrittenSave& lost : all_lost) {
+    const std::vector<OverwrittenSave> all_lost = overwritten_saves(analysis);
+    const auto other = all_lost.empty() ? std::nullopt : find_free_local(analysis);
+    for (const OverwrittenSave& lost : all_lost) {
         const Span span = program.effects[lost.store->effect].span;
         const Span word = program.effects[lost.write->effect].span;
         std::vector<std::string> words{quoted(program, span),

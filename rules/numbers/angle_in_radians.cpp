@@ -1,7 +1,7 @@
 //! MAC707: a conversion between degrees and radians beside a function that counts in degrees.
 #include "analyzer/dataflow/facts/read.hpp"
 #include "analyzer/dataflow/facts/store.hpp"
-#include "analyzer/queries/radians.hpp"
+#include "rules/numbers/angle_in_radians_finder.hpp"
 #include "rules/path.hpp"
 #include "rules/rule.hpp"
 
@@ -62,11 +62,11 @@ namespace {
 void check(const ProgramAnalysis& analysis, Reporter& reporter) {
     const Program& program = analysis.program();
     std::set<ExpressionId> said;
-    for (const queries::RadianUse& use : queries::find_radians(analysis)) {
+    for (const RadianUse& use : find_radians(analysis)) {
         if (!said.insert(use.conversion).second) continue;
         const Span span = program.expressions[use.conversion].span;
         reporter.report({analysis, use.effect, use.conversion}, span,
-                        use.fault == queries::RadianFault::argument ? "argument" : "result",
+                        use.fault == RadianFault::argument ? "argument" : "result",
                         {quoted(program, span), quoted(program, program.expressions[use.angle].span)});
     }
 }

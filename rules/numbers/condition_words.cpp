@@ -1,7 +1,7 @@
 //! Names the reason, and for a guard that repeats another what nothing tests.
 #include "rules/numbers/condition_words.hpp"
 
-#include "analyzer/queries/argument_names.hpp"
+#include "analyzer/queries/values/argument_names.hpp"
 #include "rules/path.hpp"
 
 #include <algorithm>
@@ -20,8 +20,8 @@ std::string words_for_untested(const ProgramAnalysis& analysis) {
     return words.empty() ? words : words + ")";
 }
 
-std::string_view message_for(queries::Reason::Kind kind) {
-    using Kind = queries::Reason::Kind;
+std::string_view message_for(Reason::Kind kind) {
+    using Kind = Reason::Kind;
     switch (kind) {
     case Kind::itself: return "itself";
     case Kind::number: return "number";
@@ -37,7 +37,7 @@ std::string_view message_for(queries::Reason::Kind kind) {
 ConditionWords ConditionMessages::words_for(const dataflow::Condition& condition,
                                             const std::optional<queries::GuardBefore>& guard) {
     const Program& program = analysis_.program();
-    const queries::Reason reason = queries::reason_for(analysis_, condition, guard);
+    const Reason reason = reason_for(analysis_, condition, guard);
     const std::string outcome = (guard ? guard->makes : condition.truth.can_hold) ? "always" : "never";
     const Span span = program.expressions[condition.expression].span;
     ConditionWords words{span,

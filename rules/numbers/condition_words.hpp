@@ -2,10 +2,10 @@
 #pragma once
 
 #include "analyzer/dataflow/facts/condition.hpp"
-#include "analyzer/queries/deliberate_conditions.hpp"
-#include "analyzer/queries/guards_before.hpp"
+#include "analyzer/queries/conditions/guards_before.hpp"
 #include "analyzer/workspace/program_analysis.hpp"
 #include "rules/finding.hpp"
+#include "rules/numbers/constant_condition_reasons_finder.hpp"
 
 #include <optional>
 #include <string>

@@ -3,12 +3,12 @@
 #include "analyzer/dataflow/facts/condition.hpp"
 #include "analyzer/dataflow/facts/read.hpp"
 #include "analyzer/dataflow/facts/store.hpp"
-#include "analyzer/queries/conditions.hpp"
-#include "analyzer/queries/deliberate_conditions.hpp"
-#include "analyzer/queries/guards_before.hpp"
-#include "analyzer/queries/loop_exits.hpp"
+#include "analyzer/queries/conditions/conditions.hpp"
+#include "analyzer/queries/conditions/guards_before.hpp"
+#include "analyzer/queries/loops/loop_exits.hpp"
 #include "analyzer/workspace/program_analysis.hpp"
 #include "rules/numbers/condition_words.hpp"
+#include "rules/numbers/constant_condition_reasons_finder.hpp"
 #include "rules/rule.hpp"
 #include "rules/trace.hpp"
 
@@ -91,7 +91,7 @@ N90 M30
 END
 )nc"}},
     .exemptions =
-        {{&queries::exemptions::condition_on_settings,
+        {{&exemptions::condition_on_settings,
           "asks-for-a-setting",
           "A number that somebody edits in the text decides it: with another one it turns out otherwise.",
           {"fanuc", R"nc(
@@ -102,7 +102,7 @@ IF[#1EQ2]THEN#5=0.3
 G90 G0 Z#5
 M30
 )nc"}},
-         {&queries::exemptions::condition_on_vacancy,
+         {&exemptions::condition_on_vacancy,
           "compared-with-vacant",
           "A side of it has never been set: another rule tells of that, or the case is one that is left "
           "over.",
@@ -112,7 +112,7 @@ IF[#10EQ1]THEN#5=0.3
 G90 G0 Z50.
 M30
 )nc"}},
-         {&queries::exemptions::jump_to_same_place,
+         {&exemptions::jump_to_same_place,
           "jump-to-same-place",
           "An earlier test jumps to the same place: this one is not needed, and does no harm.",
           {"fanuc", R"nc(
@@ -122,7 +122,7 @@ IF[#6GT10]GOTO1
 G90 G0 Z#6
 N1 M99
 )nc"}},
-         {&queries::exemptions::same_block_guarded_again,
+         {&exemptions::same_block_guarded_again,
           "same-block-guarded-again",
           "Another condition guards the very same block: one of the two is not needed, and does no harm.",
           {"fanuc", R"nc(
@@ -134,7 +134,7 @@ IF[#6GT10]THEN#33=20.
 G90 G0 Z#33
 N1 M99
 )nc"}},
-         {&queries::exemptions::last_case_tested,
+         {&exemptions::last_case_tested,
           "last-case-tested",
           "It is always true: what all other cases have left over is tested once more.",
           {"fanuc", R"nc(
@@ -151,8 +151,7 @@ N1 M99
 namespace {
 
 bool is_defect(const ProgramAnalysis& analysis, const dataflow::Condition& condition,
-               const std::optional<queries::GuardBefore>& guard,
-               const queries::DeliberateConditions& deliberate) {
+               const std::optional<queries::GuardBefore>& guard, const DeliberateConditions& deliberate) {
     // Where a jump can leave it, a loop without an exit is MAC319's.
     if (condition.truth.can_hold && queries::is_loop_condition(analysis, condition))
         return queries::never_ends(analysis, condition);
@@ -173,7 +172,7 @@ void report(const ProgramAnalysis& analysis, Reporter& reporter, ConditionMessag
 void check(const ProgramAnalysis& analysis, Reporter& reporter) {
     const bool may_repeat = analysis.regions().balance_unknown; // by a loop that cannot be read
     ConditionMessages wording(analysis);
-    std::optional<queries::DeliberateConditions> deliberate; // most programs have no such condition
+    std::optional<DeliberateConditions> deliberate; // most programs have no such condition
     for (const dataflow::Condition& condition : analysis.facts().all<dataflow::Condition>()) {
         const auto guard = queries::guard_that_decides(analysis, condition);
         if (!guard && (may_repeat || condition.truth.can_hold == condition.truth.can_fail)) continue;

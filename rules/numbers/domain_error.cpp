@@ -4,7 +4,7 @@
 #include "analyzer/dataflow/facts/condition.hpp"
 #include "analyzer/dataflow/facts/read.hpp"
 #include "analyzer/dataflow/facts/store.hpp"
-#include "analyzer/queries/conditions.hpp"
+#include "analyzer/queries/conditions/conditions.hpp"
 #include "analyzer/workspace/program_analysis.hpp"
 #include "rules/operand_risk.hpp"
 #include "rules/path.hpp"

@@ -1,6 +1,6 @@
 //! MAC719: the same test twice.
 #include "analyzer/dataflow/facts/condition.hpp"
-#include "analyzer/queries/repeated_tests.hpp"
+#include "analyzer/queries/conditions/repeated_tests.hpp"
 #include "rules/path.hpp"
 #include "rules/rule.hpp"
 

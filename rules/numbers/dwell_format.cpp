@@ -1,5 +1,5 @@
 //! MAC566: a dwell whose time is in another unit than it was meant.
-#include "analyzer/queries/missing_points.hpp"
+#include "analyzer/queries/words/missing_points.hpp"
 #include "rules/fixes.hpp"
 #include "rules/path.hpp"
 #include "rules/rule.hpp"

@@ -1,11 +1,11 @@
 //! MAC710: EQ or NE between numbers that rounding has touched.
 #include "analyzer/dataflow/facts/comparison.hpp"
 #include "analyzer/dataflow/facts/store.hpp"
-#include "analyzer/queries/inexact_comparisons.hpp"
-#include "analyzer/queries/inexact_counters.hpp"
-#include "analyzer/queries/inexact_sums.hpp"
-#include "analyzer/queries/origins.hpp"
+#include "analyzer/queries/loops/inexact_counters.hpp"
+#include "analyzer/queries/values/origins.hpp"
 #include "analyzer/workspace/program_analysis.hpp"
+#include "rules/numbers/float_equality_comparisons_finder.hpp"
+#include "rules/numbers/float_equality_sums_finder.hpp"
 #include "rules/path.hpp"
 #include "rules/rule.hpp"
 #include "rules/trace.hpp"
@@ -82,7 +82,7 @@ N60 ENDIF
 N70 M30
 END
 )nc"}},
-    .exemptions = {{&queries::exemptions::whole_number_asked_for,
+    .exemptions = {{&exemptions::whole_number_asked_for,
                     "asks-for-a-whole-number",
                     "A number is compared with itself without its decimals: it asks whether it is whole.",
                     {"fanuc", R"nc(
@@ -92,7 +92,7 @@ IF[#1EQFIX[#1]]GOTO1
 G91 G0 X#1
 N1 M99
 )nc"}},
-                   {&queries::exemptions::copy_asked_for,
+                   {&exemptions::copy_asked_for,
                     "asks-for-a-copy",
                     "A block sets the one side to the other: the comparison asks whether that has happened.",
                     {"fanuc", R"nc(
@@ -112,8 +112,8 @@ N2 M99
 namespace {
 
 void report(const ProgramAnalysis& analysis, Reporter& reporter, const dataflow::Comparison& comparison,
-            const queries::InexactSide& inexact) {
-    using Why = queries::InexactSide::Why;
+            const InexactSide& inexact) {
+    using Why = InexactSide::Why;
     const auto& program = analysis.program();
     const Span span = program.expressions[comparison.expression].span;
     std::vector<std::string> words{quoted(program, span),
@@ -139,11 +139,11 @@ void report(const ProgramAnalysis& analysis, Reporter& reporter, const dataflow:
 
 void check(const ProgramAnalysis& analysis, Reporter& reporter) {
     const auto of_counters = queries::tests_of(queries::find_inexact_counters(analysis));
-    const queries::Sums sums = queries::find_sums(analysis);
+    const Sums sums = find_sums(analysis);
     for (const dataflow::Comparison& comparison : analysis.facts().all<dataflow::Comparison>()) {
         if (comparison.operation != Operation::equal && comparison.operation != Operation::not_equal)
             continue;
-        const auto inexact = queries::inexact_side(analysis, sums, comparison);
+        const auto inexact = inexact_side(analysis, sums, comparison);
         if (inexact && !of_counters.contains(&comparison)) report(analysis, reporter, comparison, *inexact);
     }
 }

@@ -1,7 +1,7 @@
 //! MAC711: a loop counts in steps that binary arithmetic cannot hold.
 #include "analyzer/dataflow/facts/comparison.hpp"
 #include "analyzer/dataflow/facts/store.hpp"
-#include "analyzer/queries/inexact_counters.hpp"
+#include "analyzer/queries/loops/inexact_counters.hpp"
 #include "analyzer/workspace/program_analysis.hpp"
 #include "rules/path.hpp"
 #include "rules/rule.hpp"

@@ -1,5 +1,5 @@
 //! MAC552: a length without its point, in a file whose lengths have one.
-#include "analyzer/queries/missing_points.hpp"
+#include "analyzer/queries/words/missing_points.hpp"
 #include "rules/fixes.hpp"
 #include "rules/path.hpp"
 #include "rules/rule.hpp"

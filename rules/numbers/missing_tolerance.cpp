@@ -1,6 +1,6 @@
 //! MAC726: a position is compared without the tolerance that the program's other comparisons have.
 #include "analyzer/dataflow/facts/comparison.hpp"
-#include "analyzer/queries/missing_tolerances.hpp"
+#include "rules/numbers/missing_tolerance_finder.hpp"
 #include "rules/path.hpp"
 #include "rules/rule.hpp"
 
@@ -54,7 +54,7 @@ namespace {
 
 void check(const ProgramAnalysis& analysis, Reporter& reporter) {
     const Program& program = analysis.program();
-    for (const queries::MissingTolerance& missing : queries::find_missing_tolerances(analysis)) {
+    for (const MissingTolerance& missing : find_missing_tolerances(analysis)) {
         const Span span = program.expressions[missing.exact->expression].span;
         const Span other = program.expressions[missing.tolerant->expression].span;
         Finding& finding = reporter.report({analysis, *missing.exact}, span, "exact",

@@ -1,8 +1,8 @@
 //! MAC720: an assignment calculates again what its variable holds already.
 #include "analyzer/dataflow/facts/store.hpp"
-#include "analyzer/queries/calculations.hpp"
-#include "analyzer/queries/conditions.hpp"
-#include "analyzer/queries/copies.hpp"
+#include "analyzer/queries/conditions/conditions.hpp"
+#include "analyzer/queries/values/calculations.hpp"
+#include "analyzer/queries/values/copies.hpp"
 #include "rules/fixes.hpp"
 #include "rules/path.hpp"
 #include "rules/rule.hpp"

@@ -2,8 +2,8 @@
 #include "analyzer/program/lacking.hpp"
 #include "analyzer/program/model.hpp"
 #include "analyzer/program/tables.hpp"
-#include "analyzer/queries/missing_axes.hpp"
 #include "rules/rule.hpp"
+#include "rules/syntax/not_on_this_control_finder.hpp"
 #include "rules/syntax_errors.hpp"
 
 #include <algorithm>
@@ -80,7 +80,7 @@ bool is_macro_b(const ProgramFile& file, Offset at) {
 /// The first word of each; further ones are the same slip.
 void report_axes(const ProgramFile& file, const Program& program, Reporter& reporter) {
     std::set<std::string_view> told;
-    queries::for_each_missing_axis(program, [&](const Word& word) {
+    for_each_missing_axis(program, [&](const Word& word) {
         if (!told.insert(word.address).second) return;
         reporter.report({file, word.span}, word.span, "axis",
                         {std::string(program.slice(word.span)), program.control->axes});

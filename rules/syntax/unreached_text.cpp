@@ -1,5 +1,5 @@
 //! MAC122: text that cannot be read, where no path leads.
-#include "analyzer/queries/unreached_text.hpp"
+#include "analyzer/queries/paths/unreached_text.hpp"
 
 #include "analyzer/source/encoding.hpp"
 #include "rules/path.hpp"

@@ -1,6 +1,6 @@
 //! MAC211: a call passes a value that the called program never reads.
-#include "analyzer/queries/callers.hpp"
-#include "analyzer/queries/unread_arguments.hpp"
+#include "analyzer/queries/calls/callers.hpp"
+#include "analyzer/queries/calls/unread_arguments.hpp"
 #include "rules/listed.hpp"
 #include "rules/path.hpp"
 #include "rules/rule.hpp"

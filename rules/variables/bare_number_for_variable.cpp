@@ -1,11 +1,11 @@
 //! MAC229: a number stands where a variable is meant.
 #include "analyzer/dataflow/facts/comparison.hpp"
 #include "analyzer/program/tables.hpp"
-#include "analyzer/queries/bare_numbers.hpp"
 #include "analyzer/workspace/program_analysis.hpp"
 #include "rules/fixes.hpp"
 #include "rules/path.hpp"
 #include "rules/rule.hpp"
+#include "rules/variables/bare_number_for_variable_finder.hpp"
 
 #include <algorithm>
 #include <cstdint>
@@ -103,12 +103,12 @@ void check(const ProgramAnalysis& analysis, Reporter& reporter) {
     };
     for (const dataflow::Comparison& comparison : analysis.facts().all<dataflow::Comparison>()) {
         if (!is_literal(comparison.left_expression) || !is_literal(comparison.right_expression)) continue;
-        const auto left = queries::number_of_a_variable(program, comparison.left_expression);
-        const auto right = queries::number_of_a_variable(program, comparison.right_expression);
+        const auto left = number_of_a_variable(program, comparison.left_expression);
+        const auto right = number_of_a_variable(program, comparison.right_expression);
         if (meant_to_hold.is_on() && left == right) continue; // [1000EQ1000] is meant to be true
         for (const auto& number : {left, right}) {
             if (!number) continue;
-            const bool used = queries::names_variable(program, *number);
+            const bool used = names_variable(program, *number);
             if (!used && !is_of_the_control(analysis.control(), *number)) continue;
             const Span span = program.expressions[comparison.expression].span;
             Finding& finding = reporter.report({analysis, comparison}, span, used ? "used" : "system",
@@ -120,7 +120,7 @@ void check(const ProgramAnalysis& analysis, Reporter& reporter) {
             break;
         }
     }
-    for (const queries::BareNumber& bare : queries::find_bare_numbers(program)) {
+    for (const BareNumber& bare : find_bare_numbers(program)) {
         Finding& finding = reporter.report(
             {analysis, bare.span}, bare.span, bare.sibling.empty() ? "bracket" : "sibling",
             {quoted(program, bare.span), std::to_string(bare.number),

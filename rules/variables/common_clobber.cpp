@@ -3,9 +3,9 @@
 #include "analyzer/dataflow/facts/read.hpp"
 #include "analyzer/dataflow/facts/store.hpp"
 #include "analyzer/program/tables.hpp"
-#include "analyzer/queries/callers.hpp"
-#include "analyzer/queries/loop_counter.hpp"
-#include "analyzer/queries/loop_exits.hpp"
+#include "analyzer/queries/calls/callers.hpp"
+#include "analyzer/queries/loops/loop_counter.hpp"
+#include "analyzer/queries/loops/loop_exits.hpp"
 #include "rules/path.hpp"
 #include "rules/rule.hpp"
 

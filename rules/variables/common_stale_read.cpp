@@ -3,11 +3,11 @@
 #include "analyzer/dataflow/facts/comparison.hpp"
 #include "analyzer/dataflow/facts/read.hpp"
 #include "analyzer/dataflow/facts/store.hpp"
-#include "analyzer/queries/early_checks.hpp"
-#include "analyzer/queries/stale_reads.hpp"
 #include "rules/path.hpp"
 #include "rules/rule.hpp"
 #include "rules/trace.hpp"
+#include "rules/variables/common_stale_read_cases_finder.hpp"
+#include "rules/variables/common_stale_read_checks_finder.hpp"
 
 namespace maclint::rules {
 
@@ -77,7 +77,7 @@ G0 Z#23
 M99
 N9 #3000=1(Z OR TOOL LENGTH)
 )nc"}},
-    .exemptions = {{&queries::exemptions::held_against_last_value,
+    .exemptions = {{&exemptions::held_against_last_value,
                     "held-against-the-last-value",
                     "The limit looks at what the new value is calculated from, too: it holds this run "
                     "against the last one.",
@@ -96,7 +96,7 @@ N9 #3000=1(MOVED)
 namespace {
 
 /// "#4012 = 54, 56"
-std::string words_for(const ProgramAnalysis& analysis, const queries::StaleRead& stale) {
+std::string words_for(const ProgramAnalysis& analysis, const StaleRead& stale) {
     const Program& program = analysis.program();
     std::string words;
     for (const ExpressionId number : stale.set_for)
@@ -107,7 +107,7 @@ std::string words_for(const ProgramAnalysis& analysis, const queries::StaleRead&
 
 void report_limits(const ProgramAnalysis& analysis, Reporter& reporter) {
     const Program& program = analysis.program();
-    for (const queries::EarlyCheck& early : queries::find_early_checks(analysis)) {
+    for (const EarlyCheck& early : find_early_checks(analysis)) {
         const Span span = program.expressions[early.read->expression].span;
         Finding& finding = reporter.report(
             {analysis, *early.read}, span, "limit",
@@ -121,7 +121,7 @@ void report_limits(const ProgramAnalysis& analysis, Reporter& reporter) {
 void check(const ProgramAnalysis& analysis, Reporter& reporter) {
     report_limits(analysis, reporter);
     const Program& program = analysis.program();
-    for (const queries::StaleRead& stale : queries::find_stale_reads(analysis)) {
+    for (const StaleRead& stale : find_stale_reads(analysis)) {
         const Span span = program.expressions[stale.read->expression].span;
         const Span asked = program.expressions[stale.missing].span;
         Finding& finding =

@@ -1,7 +1,7 @@
 //! MAC215: of two statements alike for two axes one takes the variable of the other.
-#include "analyzer/queries/sibling_statements.hpp"
 #include "rules/path.hpp"
 #include "rules/rule.hpp"
+#include "rules/variables/crossed_axes_finder.hpp"
 
 namespace maclint::rules {
 
@@ -45,7 +45,7 @@ namespace {
 
 void check(const ProgramAnalysis& analysis, Reporter& reporter) {
     const Program& program = analysis.program();
-    for (const queries::CrossedStatements& crossed : queries::find_crossed_statements(program)) {
+    for (const CrossedStatements& crossed : find_crossed_statements(program)) {
         const Span span = program.expressions[crossed.operand].span;
         const std::string meant = program.spell(crossed.meant);
         Finding& finding =

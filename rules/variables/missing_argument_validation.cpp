@@ -2,11 +2,11 @@
 #include "analyzer/dataflow/facts/comparison.hpp"
 #include "analyzer/dataflow/facts/read.hpp"
 #include "analyzer/dataflow/facts/store.hpp"
-#include "analyzer/queries/loop_bounds.hpp"
 #include "rules/operand_risk.hpp"
 #include "rules/path.hpp"
 #include "rules/rule.hpp"
 #include "rules/trace.hpp"
+#include "rules/variables/missing_argument_validation_finder.hpp"
 
 namespace maclint::rules {
 
@@ -57,7 +57,7 @@ G90 G1 Z#33
 END1
 M99
 )nc"}},
-    .exemptions = {{&queries::exemptions::search_in_a_table,
+    .exemptions = {{&exemptions::search_in_a_table,
                     "search-in-a-table",
                     "Another test ends the loop at a number: it goes through a table, and asks whether it "
                     "has found the argument.",
@@ -80,7 +80,7 @@ namespace {
 
 void check(const ProgramAnalysis& analysis, Reporter& reporter) {
     const Program& program = analysis.program();
-    for (const queries::UncheckedBound& bound : queries::unchecked_bounds(analysis)) {
+    for (const UncheckedBound& bound : unchecked_bounds(analysis)) {
         const Span span = program.expressions[bound.test->expression].span;
         Finding& finding = report_risk(analysis, bound.risk, {analysis, *bound.read}, span,
                                        {quoted(program, span), with_letter(analysis, bound.read->variable),

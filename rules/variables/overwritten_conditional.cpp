@@ -1,7 +1,7 @@
 //! MAC214: what a special case sets is set again before anything reads it.
 #include "analyzer/dataflow/facts/read.hpp"
 #include "analyzer/dataflow/facts/store.hpp"
-#include "analyzer/queries/dead_stores.hpp"
+#include "analyzer/queries/values/dead_stores.hpp"
 #include "rules/path.hpp"
 #include "rules/rule.hpp"
 #include "rules/trace.hpp"

@@ -1,6 +1,6 @@
 //! MAC231: a variable is read that exists to be written.
 #include "analyzer/program/tables.hpp"
-#include "analyzer/queries/variable_numbers.hpp"
+#include "analyzer/queries/values/variable_numbers.hpp"
 #include "rules/rule.hpp"
 
 #include <algorithm>

@@ -1,7 +1,7 @@
 //! MAC225: an argument that nothing checks picks an offset.
 #include "analyzer/dataflow/facts/comparison.hpp"
 #include "analyzer/dataflow/facts/read.hpp"
-#include "analyzer/queries/offsets.hpp"
+#include "analyzer/queries/values/offsets.hpp"
 #include "rules/operand_risk.hpp"
 #include "rules/path.hpp"
 #include "rules/rule.hpp"

@@ -1,7 +1,7 @@
 //! Variables that nothing has set, in words.
 #pragma once
 
-#include "analyzer/queries/unset_reads.hpp"
+#include "analyzer/queries/vacancy/unset_reads.hpp"
 #include "analyzer/workspace/program_analysis.hpp"
 
 #include <string>

@@ -2,15 +2,15 @@
 #include "analyzer/dataflow/facts/comparison.hpp"
 #include "analyzer/dataflow/facts/store.hpp"
 #include "analyzer/program/tables.hpp"
-#include "analyzer/queries/argument_names.hpp"
-#include "analyzer/queries/conditions.hpp"
-#include "analyzer/queries/dead_guards.hpp"
-#include "analyzer/queries/feasible_paths.hpp"
-#include "analyzer/queries/unset_reads.hpp"
+#include "analyzer/queries/conditions/conditions.hpp"
+#include "analyzer/queries/paths/feasible_paths.hpp"
+#include "analyzer/queries/vacancy/unset_reads.hpp"
+#include "analyzer/queries/values/argument_names.hpp"
 #include "analyzer/workspace/program_analysis.hpp"
 #include "rules/path.hpp"
 #include "rules/rule.hpp"
 #include "rules/trace.hpp"
+#include "rules/variables/vacancy_test_never_true_finder.hpp"
 
 #include <utility>
 
@@ -75,7 +75,7 @@ IF[#24EQ#0]GOTO9
 G90 G0 X#24
 N9 M99
 )nc"}},
-    .exemptions = {{&queries::exemptions::zero_made_sure,
+    .exemptions = {{&exemptions::zero_made_sure,
                     "zero-made-sure",
                     "All that the test guards is to set the variable to 0: it makes sure, whether that is "
                     "needed or not.",
@@ -96,14 +96,14 @@ namespace {
 /// difference, and one of a variable that no call sets, are not worth more than a note.
 bool is_defect(const ProgramAnalysis& analysis, const dataflow::Comparison& comparison, Variable variable) {
     return analysis.control().spaces[variable.space].scope == Scope::frame &&
-           !queries::is_harmless_guard(analysis, comparison, variable);
+           !is_harmless_guard(analysis, comparison, variable);
 }
 
 void report(const ProgramAnalysis& analysis, Reporter& reporter, const dataflow::Comparison& comparison,
-            Variable variable, queries::KeptArguments& kept) {
+            Variable variable, KeptArguments& kept) {
     const Program& program = analysis.program();
     const Span span = program.expressions[comparison.expression].span;
-    const dataflow::Store* store = queries::last_store_before(analysis, variable, comparison.node);
+    const dataflow::Store* store = last_store_before(analysis, variable, comparison.node);
     const Span set = store == nullptr ? span : program.effects[store->effect].span;
     std::vector<std::string> words{
         quoted(program, span), comparison.operation == Operation::is_vacant ? "never" : "always",
@@ -126,14 +126,13 @@ void report(const ProgramAnalysis& analysis, Reporter& reporter, const dataflow:
 
 void check(const ProgramAnalysis& analysis, Reporter& reporter) {
     queries::WithoutAssignment unset(analysis);
-    queries::KeptArguments kept(analysis);
+    KeptArguments kept(analysis);
     for (const dataflow::Comparison& comparison : analysis.facts().all<dataflow::Comparison>()) {
         if (!semantics::is_vacancy_test(comparison.operation)) continue;
         if (comparison.left.vacancy != dataflow::Vacancy::set) continue;
         const auto variable = queries::plain_variable(analysis.program(), comparison.left_expression);
         if (variable && queries::may_hold_vacant(analysis.program(), *variable) &&
-            !unset.leads_to(*variable, comparison.node) &&
-            !queries::sets_zero(analysis, comparison, *variable))
+            !unset.leads_to(*variable, comparison.node) && !sets_zero(analysis, comparison, *variable))
             report(analysis, reporter, comparison, *variable, kept);
     }
 }

@@ -1,8 +1,8 @@
 //! MAC221: a missing argument passes a range check, because GT, GE, LT and LE take vacant for 0.
 #include "analyzer/dataflow/facts/comparison.hpp"
 #include "analyzer/dataflow/facts/read.hpp"
-#include "analyzer/queries/conditions.hpp"
-#include "analyzer/queries/unset_reads.hpp"
+#include "analyzer/queries/conditions/conditions.hpp"
+#include "analyzer/queries/vacancy/unset_reads.hpp"
 #include "analyzer/workspace/program_analysis.hpp"
 #include "rules/path.hpp"
 #include "rules/rule.hpp"

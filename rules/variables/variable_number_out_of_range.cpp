@@ -1,6 +1,6 @@
 //! MAC202: a variable that the control does not have.
 #include "analyzer/program/tables.hpp"
-#include "analyzer/queries/variable_numbers.hpp"
+#include "analyzer/queries/values/variable_numbers.hpp"
 #include "rules/rule.hpp"
 #include "rules/syntax_errors.hpp"
 

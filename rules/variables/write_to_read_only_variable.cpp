@@ -1,6 +1,6 @@
 //! MAC203: a value is stored where it can only be read.
 #include "analyzer/program/tables.hpp"
-#include "analyzer/queries/variable_numbers.hpp"
+#include "analyzer/queries/values/variable_numbers.hpp"
 #include "rules/rule.hpp"
 #include "rules/syntax_errors.hpp"
 

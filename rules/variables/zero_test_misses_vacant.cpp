@@ -3,13 +3,13 @@
 #include "analyzer/dataflow/facts/comparison.hpp"
 #include "analyzer/dataflow/facts/read.hpp"
 #include "analyzer/dataflow/facts/store.hpp"
-#include "analyzer/queries/after_zero_test.hpp"
-#include "analyzer/queries/argument_names.hpp"
-#include "analyzer/queries/missed_vacancy.hpp"
+#include "analyzer/queries/values/argument_names.hpp"
 #include "analyzer/workspace/program_analysis.hpp"
 #include "rules/path.hpp"
 #include "rules/rule.hpp"
 #include "rules/trace.hpp"
+#include "rules/variables/zero_test_misses_vacant_tests_finder.hpp"
+#include "rules/variables/zero_test_misses_vacant_uses_finder.hpp"
 
 #include <string>
 #include <string_view>
@@ -61,7 +61,7 @@ G90 G1 Z#33
 M99
 N9 #3000=1(K MISSING)
 )nc"}},
-    .exemptions = {{&queries::exemptions::zero_is_refused,
+    .exemptions = {{&exemptions::zero_is_refused,
                     "zero-is-refused",
                     "0 ends in an alarm and the variable is tested for vacancy behind the test: the author "
                     "tells them apart.",
@@ -73,7 +73,7 @@ N1 IF[#7EQ#0]GOTO9
 G0 X#7
 N9 M99
 )nc"}},
-                   {&queries::exemptions::assigned_unread,
+                   {&exemptions::assigned_unread,
                     "assigned-in-unreadable-block",
                     "A block that cannot be read, with = behind the variable, may assign it.",
                     {"fanuc", R"nc(
@@ -91,7 +91,7 @@ namespace {
 
 void check(const ProgramAnalysis& analysis, Reporter& reporter) {
     const Program& program = analysis.program();
-    for (const queries::MissedVacancy& missed : queries::find_missed_vacancy(analysis)) {
+    for (const MissedVacancy& missed : find_missed_vacancy(analysis)) {
         const dataflow::Comparison& test = *missed.test;
         const bool is_equal = test.operation == Operation::equal;
         const Span span = program.expressions[test.expression].span;

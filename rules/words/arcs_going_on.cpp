@@ -2,7 +2,7 @@
 #include "rules/words/arcs_going_on.hpp"
 
 #include "analyzer/program/tables.hpp"
-#include "analyzer/queries/modes_at.hpp"
+#include "analyzer/queries/modal/modes_at.hpp"
 #include "rules/words/row_condition.hpp"
 #include "rules/words/scanned.hpp"
 #include "rules/words/word_list.hpp"

@@ -1,5 +1,5 @@
 //! MAC580: a code that another one must follow, or must not.
-#include "analyzer/queries/next_block.hpp"
+#include "analyzer/queries/words/next_block.hpp"
 #include "rules/words/row_of_block.hpp"
 #include "rules/words/word_list.hpp"
 

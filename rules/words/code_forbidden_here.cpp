@@ -2,7 +2,7 @@
 #include "analyzer/program/model.hpp"
 #include "analyzer/program/numbered_blocks.hpp"
 #include "analyzer/program/tables.hpp"
-#include "analyzer/queries/sections.hpp"
+#include "analyzer/queries/structure/sections.hpp"
 #include "analyzer/workspace/program_analysis.hpp"
 #include "rules/path.hpp"
 #include "rules/words/row_of_block.hpp"

@@ -1,6 +1,6 @@
 //! MAC516: blocks of data that hold what is none, or do not end.
-#include "analyzer/queries/enclosed_blocks.hpp"
-#include "analyzer/queries/next_block.hpp"
+#include "analyzer/queries/words/enclosed_blocks.hpp"
+#include "analyzer/queries/words/next_block.hpp"
 #include "analyzer/workspace/program_analysis.hpp"
 #include "rules/words/row_of_block.hpp"
 #include "rules/words/row_text.hpp"

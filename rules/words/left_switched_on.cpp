@@ -1,7 +1,7 @@
 //! MAC586: something that is still switched on when the program ends.
 #include "analyzer/program/tables.hpp"
-#include "analyzer/queries/sections.hpp"
-#include "analyzer/queries/switches_at.hpp"
+#include "analyzer/queries/machine/switches_at.hpp"
+#include "analyzer/queries/structure/sections.hpp"
 #include "analyzer/workspace/program_analysis.hpp"
 #include "rules/path.hpp"
 #include "rules/words/row_of_block.hpp"

@@ -1,8 +1,8 @@
 //! Looks for the two blocks, then at what stands between.
 #include "rules/words/profile.hpp"
 
-#include "analyzer/queries/enclosed_blocks.hpp"
-#include "analyzer/queries/next_block.hpp"
+#include "analyzer/queries/words/enclosed_blocks.hpp"
+#include "analyzer/queries/words/next_block.hpp"
 #include "analyzer/workspace/program_analysis.hpp"
 #include "rules/path.hpp"
 #include "rules/words/row_text.hpp"

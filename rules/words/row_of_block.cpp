@@ -2,7 +2,7 @@
 #include "rules/words/row_of_block.hpp"
 
 #include "analyzer/program/tables.hpp"
-#include "analyzer/queries/modes_at.hpp"
+#include "analyzer/queries/modal/modes_at.hpp"
 #include "analyzer/workspace/program_analysis.hpp"
 #include "rules/path.hpp"
 #include "rules/words/book_language.hpp"

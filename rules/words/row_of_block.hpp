@@ -2,8 +2,8 @@
 #pragma once
 
 #include "analyzer/machine/switched.hpp"
-#include "analyzer/queries/block_words.hpp"
-#include "analyzer/queries/modes_at.hpp"
+#include "analyzer/queries/modal/modes_at.hpp"
+#include "analyzer/queries/words/block_words.hpp"
 #include "rules/reporter.hpp"
 #include "rules/words/rule_row.hpp"
 

@@ -3,8 +3,8 @@
 
 #include "analyzer/program/tables.hpp"
 #include "analyzer/program/word_condition.hpp"
-#include "analyzer/queries/modes_at.hpp"
-#include "analyzer/queries/next_block.hpp"
+#include "analyzer/queries/modal/modes_at.hpp"
+#include "analyzer/queries/words/next_block.hpp"
 #include "analyzer/workspace/program_analysis.hpp"
 #include "rules/words/row_switch.hpp"
 #include "rules/words/word_list.hpp"

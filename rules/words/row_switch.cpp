@@ -2,7 +2,7 @@
 #include "rules/words/row_switch.hpp"
 
 #include "analyzer/program/word_condition.hpp"
-#include "analyzer/queries/switches_at.hpp"
+#include "analyzer/queries/machine/switches_at.hpp"
 #include "analyzer/workspace/program_analysis.hpp"
 #include "rules/words/row_text.hpp"
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "analyzer/machine/switched.hpp"
-#include "analyzer/queries/block_words.hpp"
+#include "analyzer/queries/words/block_words.hpp"
 #include "rules/words/word_row.hpp"
 
 #include <optional>

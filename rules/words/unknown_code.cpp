@@ -2,12 +2,12 @@
 #include "analyzer/program/block_view.hpp"
 #include "analyzer/program/lines_with.hpp"
 #include "analyzer/program/tables.hpp"
-#include "analyzer/queries/own_macros.hpp"
 #include "analyzer/workspace/program_analysis.hpp"
 #include "rules/path.hpp"
 #include "rules/reporter.hpp"
 #include "rules/rule.hpp"
 #include "rules/words/known_codes.hpp"
+#include "rules/words/unknown_code_finder.hpp"
 
 #include <algorithm>
 #include <string_view>
@@ -85,10 +85,9 @@ std::string_view message_for(const ProgramAnalysis& analysis, char letter, doubl
     case CodeStanding::known: return {};
     case CodeStanding::not_fitted: return "not-fitted";
     case CodeStanding::not_listed: return "not-listed";
-    case CodeStanding::unknown:
-        return queries::has_macros_for_codes(analysis) ? std::string_view() : "unknown";
+    case CodeStanding::unknown: return has_macros_for_codes(analysis) ? std::string_view() : "unknown";
     case CodeStanding::of_no_control:
-        return queries::has_macros_for_codes(analysis) ? std::string_view() : "of-no-control";
+        return has_macros_for_codes(analysis) ? std::string_view() : "of-no-control";
     }
     return {};
 }

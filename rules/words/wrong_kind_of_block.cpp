@@ -1,5 +1,5 @@
 //! DIN706: a cycle names a block of a contour that it cannot machine.
-#include "analyzer/queries/contour_blocks.hpp"
+#include "analyzer/queries/contours/contour_blocks.hpp"
 #include "analyzer/workspace/program_analysis.hpp"
 #include "rules/path.hpp"
 #include "rules/words/row_of_block.hpp"

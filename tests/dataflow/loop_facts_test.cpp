@@ -3,8 +3,8 @@
 #include "analyzer/dataflow/facts/condition.hpp"
 #include "analyzer/dataflow/facts/read.hpp"
 #include "analyzer/dataflow/facts/store.hpp"
-#include "analyzer/queries/conditions.hpp"
-#include "analyzer/queries/loop_counter.hpp"
+#include "analyzer/queries/conditions/conditions.hpp"
+#include "analyzer/queries/loops/loop_counter.hpp"
 #include "tests/support/analysed.hpp"
 
 #include <gtest/gtest.h>

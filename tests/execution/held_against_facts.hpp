@@ -2,7 +2,7 @@
 #pragma once
 
 #include "analyzer/execution/stepper.hpp"
-#include "analyzer/queries/modes_at.hpp"
+#include "analyzer/queries/modal/modes_at.hpp"
 #include "analyzer/workspace/program_analysis.hpp"
 
 #include <cstdint>

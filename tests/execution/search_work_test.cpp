@@ -1,6 +1,6 @@
 //! What a path costs: not the blocks on it, but what their conditions compare with what was assumed before.
 #include "analyzer/execution/path_run.hpp"
-#include "analyzer/queries/feasible_paths.hpp"
+#include "analyzer/queries/paths/feasible_paths.hpp"
 #include "analyzer/source/work_limit.hpp"
 #include "tests/support/analysed.hpp"
 

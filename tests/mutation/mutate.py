@@ -21,12 +21,14 @@ from pathlib import Path
 
 import mutants
 
-FOLDERS = ['dataflow', 'flow', 'queries', 'semantics', 'workspace']  # of analyzer/
-# Folders of tests/ whose tests are the nearest to a folder of analyzer/; then come the rules', then all.
+FINDERS = 'finders'  # what rules alone ask: rules/*/*_finder.cpp
+FOLDERS = ['dataflow', 'flow', 'queries', 'semantics', 'workspace', FINDERS]  # but for the last of analyzer/
+# Folders of tests/ whose tests are the nearest to each of them; then come the rules', then all.
 NEAREST = {
     'dataflow': ['dataflow', 'execution', 'semantics'],
     'flow': ['flow', 'dataflow'],
     'queries': ['queries', 'rules'],
+    FINDERS: ['rules', 'queries'],
     'semantics': ['semantics', 'execution', 'dataflow'],
     'workspace': ['workspace'],
 }
@@ -35,6 +37,12 @@ NOT_COPIED = ('.git', 'build')  # folders of the root that begin so
 TIMED = ['*LinearTime', '*TakesNoTime']  # tests that look at a clock fail by chance beside other work
 MEMORY = 3 << 30  # bytes that a broken program may take
 LEAST_KILLED = 0.9
+
+
+def folder_of(file):
+    """Which of the FOLDERS a file belongs to: 'flow' of analyzer/flow/graph.cpp."""
+    first, second = Path(file).parts[:2]
+    return FINDERS if first == 'rules' else second
 
 
 def files_of(root):
@@ -163,7 +171,7 @@ class Worker:
         if code == self.base.originals[mutant.file]:
             return 'equal', ''
         tests = self.build_tests(mutant)
-        for stage in self.suites.stages(Path(mutant.file).parts[1]):
+        for stage in self.suites.stages(folder_of(mutant.file)):
             failed = stage and self.test(tests, stage)
             if failed:
                 return 'killed', failed
@@ -287,7 +295,7 @@ def report(results, reasons, seed, seconds):
              f'Left out: {counts["equal"]} with equal object code, {counts["no C++"]} that are no C++.', '']
     lines += ['| folder | killed | survived |', '|---|---|---|']
     for folder in FOLDERS:
-        own = Counter(v for m, v, _ in results if Path(m.file).parts[1] == folder)
+        own = Counter(v for m, v, _ in results if folder_of(m.file) == folder)
         lines.append(f'| {folder} | {own["killed"]} | {own["survived"]} |')
     lines += ['', '| kind | killed | survived |', '|---|---|---|']
     for kind in sorted({m.kind for m, _, _ in results}):
@@ -306,7 +314,7 @@ def main():
     parser = argparse.ArgumentParser(prog='./dev mutate', description=__doc__.splitlines()[0])
     parser.add_argument('--count', type=int, default=300, help='mutants to judge (default: 300)')
     parser.add_argument('--seed', type=int, default=1, help='of the sample (default: 1)')
-    parser.add_argument('--folder', choices=FOLDERS, action='append', help='only of this folder of analyzer/')
+    parser.add_argument('--folder', choices=FOLDERS, action='append', help='only of this folder of analyzer/, or of the finders of rules')
     parser.add_argument('--file', action='append', help='only of this file, as in analyzer/flow/graph.cpp')
     parser.add_argument('--jobs', type=int, default=2, help='mutants at a time (default: 2)')
     parser.add_argument('--minutes', type=float, default=28, help='begin no mutant after this time (default: 28)')
@@ -324,12 +332,13 @@ def main():
         worker.limits = workers[0].limits
 
     texts = {str(path.relative_to(base.source)): path.read_text()
-             for path in sorted((base.source / 'analyzer').rglob('*.[ch]pp'))}
+             for path in sorted([*(base.source / 'analyzer').rglob('*.[ch]pp'),
+                                *(base.source / 'rules').rglob('*_finder.[ch]pp')])}
     enums = mutants.enums_of(texts.values())
-    files = [file for file in texts if Path(file).parts[1] in (options.folder or FOLDERS) and file.endswith('.cpp')
+    files = [file for file in texts if folder_of(file) in (options.folder or FOLDERS) and file.endswith('.cpp')
              and (not options.file or file in options.file)]
     found = [mutant for file in files for mutant in mutants.mutants_of(file, texts[file], enums)]
-    order = mutants.sample(found, options.seed, lambda file: Path(file).parts[1])
+    order = mutants.sample(found, options.seed, folder_of)
     seconds = max(0.0, options.minutes * 60 - (time.monotonic() - began))
     results = judge_all(order, workers, options.count, seconds)
     text, summary, share, unexplained = report(results, read_explanations(Path(__file__).with_name('survivors.md')),

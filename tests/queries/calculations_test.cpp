@@ -1,7 +1,7 @@
 //! Which calculation a value is the result of, and what is calculated with.
 #include "analyzer/dataflow/facts/comparison.hpp"
-#include "analyzer/queries/amounts.hpp"
-#include "analyzer/queries/calculations.hpp"
+#include "analyzer/queries/values/amounts.hpp"
+#include "analyzer/queries/values/calculations.hpp"
 #include "tests/support/analysed.hpp"
 
 #include <memory>

@@ -1,7 +1,7 @@
 //! Who calls a program, and with what.
 #include "analyzer/program/call_kinds.hpp"
-#include "analyzer/queries/call_depth.hpp"
-#include "analyzer/queries/callers.hpp"
+#include "analyzer/queries/calls/call_depth.hpp"
+#include "analyzer/queries/calls/callers.hpp"
 #include "tests/support/analysed.hpp"
 
 #include <memory>

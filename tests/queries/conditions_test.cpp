@@ -1,8 +1,8 @@
 //! What conditions are made of.
 #include "analyzer/dataflow/domain/read_set.hpp"
 #include "analyzer/dataflow/facts/comparison.hpp"
-#include "analyzer/queries/conditions.hpp"
-#include "analyzer/queries/unset_reads.hpp"
+#include "analyzer/queries/conditions/conditions.hpp"
+#include "analyzer/queries/vacancy/unset_reads.hpp"
 #include "tests/support/analysed.hpp"
 #include "tests/support/hand_built.hpp"
 

@@ -2,7 +2,7 @@
 #include "analyzer/dataflow/facts/modal_write.hpp"
 #include "analyzer/dataflow/facts/read.hpp"
 #include "analyzer/program/tables.hpp"
-#include "analyzer/queries/copies.hpp"
+#include "analyzer/queries/values/copies.hpp"
 #include "tests/support/analysed.hpp"
 
 #include <memory>

@@ -1,8 +1,8 @@
 //! A path to a read is one that somebody can go: no more is asked of it, and no less.
 #include "analyzer/dataflow/facts/read.hpp"
 #include "analyzer/dataflow/facts/store.hpp"
-#include "analyzer/queries/feasible_paths.hpp"
-#include "analyzer/queries/loop_counter.hpp"
+#include "analyzer/queries/loops/loop_counter.hpp"
+#include "analyzer/queries/paths/feasible_paths.hpp"
 #include "tests/support/analysed.hpp"
 
 #include <algorithm>

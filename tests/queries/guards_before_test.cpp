@@ -1,6 +1,6 @@
 //! Guards that an earlier guard has decided, and what none of them asks for.
 #include "analyzer/dataflow/facts/condition.hpp"
-#include "analyzer/queries/guards_before.hpp"
+#include "analyzer/queries/conditions/guards_before.hpp"
 #include "tests/support/analysed.hpp"
 
 #include <string>

@@ -2,7 +2,7 @@
 //! ends.
 #include "analyzer/program/builder.hpp"
 #include "analyzer/program/tables.hpp"
-#include "analyzer/queries/leak_use.hpp"
+#include "analyzer/queries/modal/leak_use.hpp"
 #include "tests/support/analysed.hpp"
 #include "tests/support/hand_built.hpp"
 

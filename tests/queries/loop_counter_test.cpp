@@ -1,5 +1,5 @@
 //! Which variable counts the rounds of a loop.
-#include "analyzer/queries/loop_counter.hpp"
+#include "analyzer/queries/loops/loop_counter.hpp"
 #include "tests/support/analysed.hpp"
 
 #include <cstddef>

@@ -1,5 +1,5 @@
 //! What closes a loop, and whether anything that decides over its exits can change.
-#include "analyzer/queries/loop_exits.hpp"
+#include "analyzer/queries/loops/loop_exits.hpp"
 #include "tests/support/analysed.hpp"
 
 #include <optional>

@@ -1,5 +1,5 @@
 //! A loop whose every step has a fault never ends.
-#include "analyzer/queries/loop_steps.hpp"
+#include "analyzer/queries/loops/loop_steps.hpp"
 #include "tests/support/analysed.hpp"
 
 #include <string>

@@ -1,5 +1,5 @@
 //! Arguments that no call passes, and with which a program calculates all the same.
-#include "analyzer/queries/missing_arguments.hpp"
+#include "analyzer/queries/calls/missing_arguments.hpp"
 #include "tests/support/analysed.hpp"
 
 #include <memory>

@@ -2,7 +2,7 @@
 #include "analyzer/dataflow/facts/exit_state.hpp"
 #include "analyzer/dataflow/facts/point_state.hpp"
 #include "analyzer/program/tables.hpp"
-#include "analyzer/queries/modal_parts.hpp"
+#include "analyzer/queries/modal/modal_parts.hpp"
 #include "tests/support/analysed.hpp"
 
 #include <algorithm>

@@ -1,6 +1,6 @@
 //! Which codes are in force before a block and with its words, whatever kind of block it is.
 #include "analyzer/program/tables.hpp"
-#include "analyzer/queries/modes_at.hpp"
+#include "analyzer/queries/modal/modes_at.hpp"
 #include "tests/support/analysed.hpp"
 
 #include <cmath>

@@ -2,7 +2,7 @@
 #include "analyzer/dataflow/facts/exit_state.hpp"
 #include "analyzer/dataflow/facts/read.hpp"
 #include "analyzer/program/tables.hpp"
-#include "analyzer/queries/origins.hpp"
+#include "analyzer/queries/values/origins.hpp"
 #include "tests/support/analysed.hpp"
 
 #include <memory>

@@ -2,8 +2,8 @@
 #include "analyzer/dataflow/facts/exit_state.hpp"
 #include "analyzer/program/block_view.hpp"
 #include "analyzer/program/tables.hpp"
-#include "analyzer/queries/own_settings.hpp"
-#include "analyzer/queries/saved_state.hpp"
+#include "analyzer/queries/modal/own_settings.hpp"
+#include "analyzer/queries/modal/saved_state.hpp"
 #include "tests/support/analysed.hpp"
 
 #include <string>

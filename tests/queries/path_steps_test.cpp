@@ -1,5 +1,5 @@
 //! Of a path only those steps are told that say where the program went.
-#include "analyzer/queries/path_steps.hpp"
+#include "analyzer/queries/paths/path_steps.hpp"
 #include "tests/support/analysed.hpp"
 
 #include <cstddef>

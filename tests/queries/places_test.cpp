@@ -2,9 +2,9 @@
 #include "analyzer/dataflow/facts/comparison.hpp"
 #include "analyzer/dataflow/facts/exit_state.hpp"
 #include "analyzer/dataflow/facts/store.hpp"
-#include "analyzer/queries/exits.hpp"
-#include "analyzer/queries/fall_throughs.hpp"
-#include "analyzer/queries/repeated_numbers.hpp"
+#include "analyzer/queries/paths/exits.hpp"
+#include "analyzer/queries/structure/fall_throughs.hpp"
+#include "analyzer/queries/structure/repeated_numbers.hpp"
 #include "tests/support/analysed.hpp"
 
 #include <cstddef>

@@ -1,7 +1,7 @@
 //! Which call leads along a path.
 #include "analyzer/program/tables.hpp"
-#include "analyzer/queries/feasible_paths.hpp"
-#include "analyzer/queries/provoking_calls.hpp"
+#include "analyzer/queries/calls/provoking_calls.hpp"
+#include "analyzer/queries/paths/feasible_paths.hpp"
 #include "tests/support/analysed.hpp"
 
 #include <string>

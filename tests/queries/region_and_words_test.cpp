@@ -1,12 +1,12 @@
 //! What stands in a block besides its words, which regions do not pair, and how a program is divided.
 #include "analyzer/program/block_view.hpp"
 #include "analyzer/program/section_kinds.hpp"
-#include "analyzer/queries/block_words.hpp"
-#include "analyzer/queries/modes_at.hpp"
-#include "analyzer/queries/region_faults.hpp"
-#include "analyzer/queries/sections.hpp"
-#include "analyzer/queries/sequence_numbers.hpp"
-#include "analyzer/queries/switches_at.hpp"
+#include "analyzer/queries/machine/switches_at.hpp"
+#include "analyzer/queries/modal/modes_at.hpp"
+#include "analyzer/queries/structure/region_faults.hpp"
+#include "analyzer/queries/structure/sections.hpp"
+#include "analyzer/queries/structure/sequence_numbers.hpp"
+#include "analyzer/queries/words/block_words.hpp"
 #include "tests/support/analysed.hpp"
 
 #include <cstdint>

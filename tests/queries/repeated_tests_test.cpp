@@ -1,5 +1,5 @@
 //! What it takes to find cases that are asked twice.
-#include "analyzer/queries/repeated_tests.hpp"
+#include "analyzer/queries/conditions/repeated_tests.hpp"
 #include "analyzer/source/work_limit.hpp"
 #include "tests/support/analysed.hpp"
 

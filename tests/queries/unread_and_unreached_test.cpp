@@ -1,7 +1,7 @@
 //! Blocks that no path reaches, what cannot be read among them, arguments that no block reads.
-#include "analyzer/queries/unreached_regions.hpp"
-#include "analyzer/queries/unreached_text.hpp"
-#include "analyzer/queries/unread_arguments.hpp"
+#include "analyzer/queries/calls/unread_arguments.hpp"
+#include "analyzer/queries/paths/unreached_regions.hpp"
+#include "analyzer/queries/paths/unreached_text.hpp"
 #include "tests/support/analysed.hpp"
 
 #include <string>

@@ -1,6 +1,6 @@
 //! Which reads find a variable that nothing has set.
 #include "analyzer/dataflow/facts/application.hpp"
-#include "analyzer/queries/unset_reads.hpp"
+#include "analyzer/queries/vacancy/unset_reads.hpp"
 #include "analyzer/source/work_limit.hpp"
 #include "tests/support/analysed.hpp"
 

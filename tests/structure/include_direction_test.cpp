@@ -19,12 +19,13 @@ using testing::ElementsAre;
 using testing::IsEmpty;
 
 /// A folder includes only what stands before it. What is left in analyzer/dataflow/ itself, loops and cycles,
-/// stands on the solver.
+/// stands on the solver. A finder stands in a room of the rules and knows no rule.
+constexpr std::string_view finders = "*_finder";
 constexpr auto layers = std::to_array<std::string_view>(
     {"grammar/", "analyzer/source/", "analyzer/syntax/", "analyzer/program/", "analyzer/semantics/",
      "analyzer/dialect/", "analyzer/flow/", "analyzer/machine/", "analyzer/dataflow/domain/",
      "analyzer/dataflow/facts/", "analyzer/dataflow/solver/", "analyzer/dataflow/", "analyzer/workspace/",
-     "analyzer/execution/", "analyzer/queries/", "rules/", "cli/"});
+     "analyzer/execution/", "analyzer/queries/", finders, "rules/", "cli/"});
 
 constexpr std::array<std::string_view, 9> dialect_blind = {
     "analyzer/program/",   "analyzer/semantics/", "analyzer/flow/",
@@ -35,8 +36,9 @@ constexpr std::array<std::string_view, 5> dialects = {"fanuc", "nct", "haas", "d
 
 /// Position of a path's folder in the layers; their number when it is in none of them.
 std::size_t layer_of(std::string_view path) {
-    const auto folder =
-        std::ranges::find_if(layers, [&](std::string_view layer) { return path.starts_with(layer); });
+    const auto folder = std::ranges::find_if(layers, [&](std::string_view layer) {
+        return layer == finders ? is_finder(path) : path.starts_with(layer);
+    });
     return static_cast<std::size_t>(folder - layers.begin());
 }
 
@@ -91,11 +93,13 @@ std::vector<std::string> dialect_includes(const std::vector<ProjectFile>& files)
     return found;
 }
 
-/// Rules are left out: their descriptors explain controls by name and hold example programs.
+/// Rules are left out, not their finders: their descriptors explain controls by name and hold example
+/// programs.
 std::vector<std::string> dialect_names(const std::vector<ProjectFile>& files) {
     std::vector<std::string> found;
     for (const ProjectFile& file : files) {
-        if (!is_dialect_blind(file.path) || file.path.starts_with("rules/")) continue;
+        const bool is_rule = file.path.starts_with("rules/") && !is_finder(file.path);
+        if (!is_dialect_blind(file.path) || is_rule) continue;
         const std::string code = without_comments(file.text);
         for (const std::string_view dialect : dialects) {
             if (names_dialect(code, dialect)) found.push_back(file.path + " names " + std::string(dialect));
@@ -142,6 +146,17 @@ TEST(DependencyCheck, FindsABackwardIncludeWithinDataFlow) {
     EXPECT_EQ(backward_includes(files).size(), 3U);
 }
 
+TEST(DependencyCheck, FindsAFinderThatAsksARuleAndAQueryThatAsksAFinder) {
+    const std::vector<ProjectFile> files = {
+        {"rules/flow/a_finder.cpp", "#include \"analyzer/queries/a.hpp\"\n#include "
+                                    "\"rules/flow/b_finder.hpp\"\n#include \"rules/path.hpp\"\n"},
+        {"analyzer/queries/loops/a.cpp", "#include \"rules/flow/a_finder.hpp\"\n"},
+        {"rules/flow/a.cpp", "#include \"rules/flow/a_finder.hpp\"\n"}};
+    EXPECT_THAT(backward_includes(files),
+                ElementsAre("rules/flow/a_finder.cpp includes rules/path.hpp",
+                            "analyzer/queries/loops/a.cpp includes rules/flow/a_finder.hpp"));
+}
+
 TEST(DependencyCheck, FindsARuleThatReachesIntoADialect) {
     const std::vector<ProjectFile> files = {
         {"rules/flow/a.cpp",
@@ -156,10 +171,12 @@ TEST(DependencyCheck, FindsADialectNamedInCodeButNotInAComment) {
         {"analyzer/flow/a.cpp", "// Fanuc looks from here to the end.\n/* haas */ int function;\n"},
         {"analyzer/flow/b.cpp", "if (limits == FanucLimits) return; // not HAAS"},
         {"analyzer/flow/d.cpp", "function(Dialect::nct);"},
-        {"analyzer/flow/c.cpp", "auto control = \"// Haas\";"}};
+        {"analyzer/flow/c.cpp", "auto control = \"// Haas\";"},
+        {"rules/flow/e.cpp", "const char* text = \"Haas says\";"},
+        {"rules/flow/e_finder.cpp", "return control == haas;"}};
     EXPECT_THAT(dialect_names(files),
                 ElementsAre("analyzer/flow/b.cpp names fanuc", "analyzer/flow/d.cpp names nct",
-                            "analyzer/flow/c.cpp names haas"));
+                            "analyzer/flow/c.cpp names haas", "rules/flow/e_finder.cpp names haas"));
 }
 
 } // namespace

@@ -77,6 +77,10 @@ std::vector<ProjectFile> sources() {
     return files;
 }
 
+bool is_finder(std::string_view path) {
+    return path.starts_with("rules/") && (path.ends_with("_finder.hpp") || path.ends_with("_finder.cpp"));
+}
+
 std::string without_comments(std::string_view code) {
     std::string out;
     while (!code.empty()) {

@@ -19,6 +19,9 @@ std::vector<ProjectFile> all_files();
 /// The C++ sources and headers of the layers, the tests and the benchmarks.
 std::vector<ProjectFile> sources();
 
+/// `rules/<room>/<rule>_finder.hpp` or `.cpp`: what one rule alone asks of a program.
+bool is_finder(std::string_view path);
+
 /// The code with comments blanked out; strings stay.
 std::string without_comments(std::string_view code);
 

@@ -1,10 +1,12 @@
-//! A rule can be read alone: it is short, asks queries, and neither reads value tables nor walks the graph.
+//! A rule can be read alone: it is short, asks queries and its finders, and neither reads value tables nor
+//! walks the graph.
 #include "analyzer/program/tables.hpp"
 #include "tests/structure/project_files.hpp"
 
 #include <algorithm>
 #include <cctype>
 #include <cstddef>
+#include <map>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -27,10 +29,49 @@ bool is_list(std::string_view path) {
            path.starts_with("rules/words/fanuc/");
 }
 
-std::vector<ProjectFile> rule_files() {
+std::vector<ProjectFile> files_of_rules() {
     std::vector<ProjectFile> files = sources();
     std::erase_if(files, [](const ProjectFile& file) { return !file.path.starts_with("rules/"); });
     return files;
+}
+
+/// Records and checks. A finder is as long as its question, reads value tables and walks.
+std::vector<ProjectFile> without_finders(std::vector<ProjectFile> files) {
+    std::erase_if(files, [](const ProjectFile& file) { return is_finder(file.path); });
+    return files;
+}
+
+std::vector<ProjectFile> rule_files() { return without_finders(files_of_rules()); }
+
+/// Finders beside which no rule of their name stands: rules/flow/a_finder.hpp belongs to rules/flow/a.cpp,
+/// and so does rules/flow/a_ways_finder.hpp.
+std::vector<std::string> finders_without_rule(const std::vector<ProjectFile>& files) {
+    const auto belongs = [](std::string_view finder, std::string_view rule) {
+        if (!rule.ends_with(".cpp") || is_finder(rule)) return false;
+        rule.remove_suffix(std::string_view(".cpp").size());
+        return finder.starts_with(rule) && finder.substr(rule.size()).starts_with('_');
+    };
+    std::vector<std::string> found;
+    for (const ProjectFile& file : files)
+        if (is_finder(file.path) && std::ranges::none_of(files, [&](const ProjectFile& rule) {
+                return belongs(file.path, rule.path);
+            }))
+            found.push_back(file.path);
+    return found;
+}
+
+/// Finders that two files with a record include: such a question belongs in a room of the queries.
+std::vector<std::string> shared_finders(const std::vector<ProjectFile>& files) {
+    std::map<std::string, int> asked;
+    for (const ProjectFile& file : files) {
+        if (file.text.find(".code = \"") == std::string::npos) continue;
+        for (const std::string& include : quoted_includes(file.text))
+            if (is_finder(include)) ++asked[include];
+    }
+    std::vector<std::string> found;
+    for (const auto& [finder, times] : asked)
+        if (times > 1) found.push_back(finder);
+    return found;
 }
 
 std::ptrdiff_t count_of(std::string_view text, std::string_view part) {
@@ -84,7 +125,7 @@ const std::vector<std::string_view> languages = {"control().language", "control-
 
 /// How long a file is and whose language it is are asked for in one place each.
 std::vector<ProjectFile> checks_of_rules() {
-    std::vector<ProjectFile> files = rule_files();
+    std::vector<ProjectFile> files = files_of_rules();
     // It writes down the severity that a record names for a language.
     std::erase_if(files, [](const ProjectFile& file) { return file.path == "rules/reporter.cpp"; });
     return files;
@@ -101,6 +142,13 @@ TEST(RuleFiles, WalkNoGraph) { EXPECT_THAT(holding(rule_files(), walks), IsEmpty
 
 TEST(RuleFiles, AskQueriesForOtherPrograms) { EXPECT_THAT(holding(rule_files(), other_programs), IsEmpty()); }
 
+TEST(RuleFiles, HaveFindersBesideThem) {
+    EXPECT_THAT(files_of_rules(), SizeIs(testing::Gt(rule_files().size())));
+    EXPECT_THAT(finders_without_rule(files_of_rules()), IsEmpty());
+}
+
+TEST(RuleFiles, AskFindersOfTheirOwn) { EXPECT_THAT(shared_finders(files_of_rules()), IsEmpty()); }
+
 TEST(RuleFiles, AskNotWhichLanguageTheyLookAt) {
     EXPECT_THAT(holding(checks_of_rules(), languages), IsEmpty());
 }
@@ -115,6 +163,34 @@ TEST(RuleFilesCheck, FindsALongFileButNotTheRegistry) {
                           {"rules/flow/d.cpp", lines.substr(2) + exemptions},
                           {"rules/registry.cpp", lines}}),
                 ElementsAre("rules/flow/a.cpp has 126 lines", "rules/flow/d.cpp has 126 lines"));
+}
+
+TEST(RuleFilesCheck, AsksFindersForNoLength) {
+    const std::string lines(200, '\n');
+    EXPECT_THAT(too_long(without_finders({{"rules/flow/a_finder.cpp", lines},
+                                          {"rules/flow/a_finders.cpp", lines},
+                                          {"rules/flow/finder.cpp", lines}})),
+                ElementsAre("rules/flow/a_finders.cpp has 200 lines", "rules/flow/finder.cpp has 200 lines"));
+}
+
+TEST(RuleFilesCheck, FindsAFinderBesideWhichItsRuleDoesNotStand) {
+    EXPECT_THAT(finders_without_rule({{"rules/flow/a.cpp", ""},
+                                      {"rules/flow/a_finder.hpp", ""},
+                                      {"rules/flow/a_ways_finder.cpp", ""},
+                                      {"rules/flow/ab_finder.cpp", ""},
+                                      {"rules/calls/a_finder.cpp", ""}}),
+                ElementsAre("rules/flow/ab_finder.cpp", "rules/calls/a_finder.cpp"));
+}
+
+TEST(RuleFilesCheck, FindsAFinderThatTwoRulesAsk) {
+    const std::string a = "#include \"rules/flow/a_finder.hpp\"\n";
+    const std::string b = "#include \"rules/flow/b_finder.hpp\"\n";
+    const std::string record = "extern const Rule rule{.code = \"MAC000\"};\n";
+    EXPECT_THAT(shared_finders({{"rules/flow/a.cpp", a + b + record},
+                                {"rules/flow/b.cpp", b + record},
+                                {"rules/flow/words.hpp", a},
+                                {"rules/flow/a_finder.cpp", a}}),
+                ElementsAre("rules/flow/b_finder.hpp"));
 }
 
 TEST(RuleFilesCheck, FindsValueTablesInCodeButNotInComments) {

@@ -2,7 +2,7 @@
 //! direction, FOR, REPEAT … UNTIL, parameters by position and reference, types, shared names.
 #include "analyzer/dataflow/facts/read.hpp"
 #include "analyzer/dataflow/facts/store.hpp"
-#include "analyzer/queries/loop_counter.hpp"
+#include "analyzer/queries/loops/loop_counter.hpp"
 #include "analyzer/workspace/program_analysis.hpp"
 #include "tests/support/analysed.hpp"
 #include "tests/support/hand_built.hpp"

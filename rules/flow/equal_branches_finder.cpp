@@ -1,0 +1,128 @@
+//! Follows both sides to where they meet, and compares their text.
+#include "rules/flow/equal_branches_finder.hpp"
+
+#include "analyzer/dialect/ascii.hpp"
+#include "analyzer/program/block_view.hpp"
+
+#include <algorithm>
+#include <optional>
+#include <string>
+
+namespace maclint::rules {
+namespace {
+
+constexpr int most_nodes = 64; ///< of a branch
+
+/// One side of a decision.
+struct Branch {
+    std::string text; ///< of its blocks, without blanks, numbers and what only leads on
+    Span span = {};
+    bool acts = false;                   ///< it does more than to leave the program
+    std::optional<flow::NodeId> ends_at; ///< the first node that other paths reach; nothing: it leaves
+};
+
+bool leads_on(const Effect& effect) {
+    return std::holds_alternative<Jump>(effect.what) || std::holds_alternative<RegionMark>(effect.what);
+}
+
+bool acts(const Effect& effect) {
+    return !leads_on(effect) && !std::holds_alternative<Return>(effect.what) &&
+           !std::holds_alternative<Stop>(effect.what);
+}
+
+class Search {
+  public:
+    explicit Search(const ProgramAnalysis& analysis)
+        : program_(analysis.program())
+        , graph_(analysis.graph()) {}
+
+    [[nodiscard]] std::optional<EqualBranches> at(flow::NodeId node) const {
+        const auto effect = decision_in(node);
+        const auto out = graph_.out[node];
+        if (!effect || out.size() != 2) return std::nullopt;
+        const flow::Edge& one = graph_.edges[out[0]];
+        const flow::Edge& two = graph_.edges[out[1]];
+        if (!one.condition || one.condition != two.condition) return std::nullopt;
+        const auto if_true = follow(one.holds ? one : two);
+        if (!if_true || !if_true->acts) return std::nullopt; // as behind most jumps
+        const auto if_false = follow(one.holds ? two : one);
+        if (!if_false || if_true->text != if_false->text || if_true->ends_at != if_false->ends_at)
+            return std::nullopt;
+        return EqualBranches{*effect, *one.condition, if_true->span, if_false->span};
+    }
+
+  private:
+    /// The IF that the node is; nothing for loops and selections.
+    [[nodiscard]] std::optional<EffectId> decision_in(flow::NodeId node) const {
+        const Slice effects = graph_.nodes[node].effects;
+        if (effects.count == 0) return std::nullopt;
+        const EffectId last = effects.first + effects.count - 1;
+        const auto& what = program_.effects[last].what;
+        const auto* mark = std::get_if<RegionMark>(&what);
+        const bool decides =
+            mark != nullptr ? mark->region_kind == RegionKind::choice : std::holds_alternative<Guarded>(what);
+        return decides ? std::optional(last) : std::nullopt;
+    }
+
+    /// Nothing where the side decides in turn, or does not end.
+    [[nodiscard]] std::optional<Branch> follow(const flow::Edge& first) const {
+        Branch branch;
+        flow::NodeId node = first.to;
+        for (int i = 0; i < most_nodes; ++i) {
+            if (graph_.in[node].size() != 1) {
+                branch.ends_at = node;
+                return branch;
+            }
+            add(branch, node);
+            const auto out = graph_.out[node];
+            if (out.empty()) return branch;
+            if (out.size() != 1) return std::nullopt;
+            node = graph_.edges[out.front()].to;
+        }
+        return std::nullopt;
+    }
+
+    void add(Branch& branch, flow::NodeId node) const {
+        const flow::Node& at = graph_.nodes[node];
+        if (at.is_run) {
+            branch.acts = true;
+            for_each_block(program_, at.stretch(), [&](const BlockView& block) {
+                add(branch,
+                    {block.number_span.empty() ? block.span.begin : block.number_span.end, block.span.end});
+            });
+            return;
+        }
+        const auto* block = std::get_if<Block>(&program_.items[at.item]);
+        const auto effects = program_.effects_in(at.effects);
+        const bool has_words =
+            block != nullptr && at.effects.first == block->effects.first && block->words.count != 0;
+        branch.acts |= std::ranges::any_of(effects, acts) || (has_words && effects.empty());
+        if (has_words)
+            for (const Word& word : std::span(program_.words).subspan(block->words.first, block->words.count))
+                add(branch, word.span);
+        for (const Effect& effect : effects)
+            if (!leads_on(effect)) add(branch, effect.span);
+    }
+
+    void add(Branch& branch, Span part) const {
+        branch.text += without_blanks(program_.slice(part)) + '\n';
+        if (branch.span.empty()) branch.span = part;
+        branch.span.end = std::max(branch.span.end, part.end);
+    }
+
+    const Program& program_;
+    const flow::Graph& graph_;
+};
+
+} // namespace
+
+std::vector<EqualBranches> find_equal_branches(const ProgramAnalysis& analysis) {
+    std::vector<EqualBranches> found;
+    const Search search(analysis);
+    for (const flow::NodeId node : analysis.graph().with_effects)
+        if (analysis.data().reached(node))
+            if (const auto equal = search.at(node)) found.push_back(*equal);
+    return found;
+}
+
+} // namespace maclint::rules

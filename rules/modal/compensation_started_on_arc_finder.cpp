@@ -1,0 +1,97 @@
+//! Looks at the blocks that set the compensation.
+#include "rules/modal/compensation_started_on_arc_finder.hpp"
+
+#include "analyzer/program/block_view.hpp"
+#include "analyzer/program/tables.hpp"
+#include "analyzer/queries/modal/own_settings.hpp"
+
+#include <algorithm>
+#include <variant>
+
+namespace maclint::rules {
+namespace {
+
+/// The only code that the block's words give the group; nothing where it is computed, or given twice.
+std::optional<double> only_code(const BlockView& block, GroupId group) {
+    std::optional<double> code;
+    std::size_t given = 0;
+    for (const BlockSetting& setting : block.settings) {
+        if (setting.group != group) continue;
+        code = setting.value;
+        ++given;
+    }
+    return given == 1 ? code : std::nullopt;
+}
+
+class Changes {
+  public:
+    Changes(const ProgramAnalysis& analysis, GroupId compensation, GroupId motion)
+        : analysis_(analysis)
+        , control_(analysis.control())
+        , compensation_(compensation)
+        , motion_(motion)
+        , modes_at_(analysis) {}
+
+    [[nodiscard]] std::optional<CompensationChange> in(const BlockView& block) {
+        const auto code = only_code(block, compensation_);
+        if (!code || !moves(block)) return std::nullopt;
+        const queries::BlockModes modes = modes_at_(block);
+        const queries::Modes motion = modes.with_words(motion_);
+        const auto circle = motion.sure_code();
+        const auto& circles = control_.groups[motion_].circles;
+        if (!circle || std::ranges::find(circles, *circle) == circles.end()) return std::nullopt;
+        const auto node = *analysis_.graph().node_of(block.span);
+        const bool states_it = std::ranges::any_of(
+            block.settings, [&](const BlockSetting& setting) { return setting.group == motion_; });
+        const Stretch stretch{analysis_.graph().nodes[node].item, block.span};
+        if (!states_it && !queries::modal_move_in(analysis_, stretch).relies) return std::nullopt;
+        const queries::Modes before = modes.before(compensation_);
+        const auto kind = kind_of(*code, before);
+        if (!kind) return std::nullopt;
+        CompensationChange change{*kind, compensation_, *code, motion_, *circle, block.span, node, {}};
+        const queries::Mode& begins = states_it ? before.possible.front() : motion.possible.front();
+        if (begins.set_by != queries::Mode::SetBy::nobody) change.begins = begins;
+        return change;
+    }
+
+  private:
+    [[nodiscard]] bool moves(const BlockView& block) const {
+        const auto effects = analysis_.program().effects_in(block.effects);
+        return block.moves || std::ranges::any_of(effects, [](const Effect& effect) {
+                   return std::holds_alternative<Motion>(effect.what);
+               });
+    }
+
+    [[nodiscard]] std::optional<CompensationChange::Kind> kind_of(double code,
+                                                                  const queries::Modes& before) const {
+        using Kind = CompensationChange::Kind;
+        const double off = *control_.groups[compensation_].cancel;
+        if (before.sure_code() == off) return code == off ? std::nullopt : std::optional(Kind::on);
+        std::vector<double> on;
+        for (const ModalMember& member : control_.groups[compensation_].members)
+            if (member.number != off && member.number != code) on.push_back(member.number);
+        if (!before.is_surely_one_of(on)) return std::nullopt;
+        return code == off ? Kind::off : Kind::over;
+    }
+
+    const ProgramAnalysis& analysis_;
+    const ControlModel& control_;
+    GroupId compensation_, motion_;
+    queries::ModesAt modes_at_;
+};
+
+} // namespace
+
+void for_each_compensation_change_in_arc(const ProgramAnalysis& analysis,
+                                         const std::function<void(const CompensationChange&)>& visit) {
+    const ControlModel& control = analysis.control();
+    const auto compensation = control.group_with(ModalRole::cutter_compensation);
+    const auto motion = control.group_with(ModalRole::motion);
+    if (!compensation || !motion || !control.groups[*compensation].cancel) return;
+    Changes changes(analysis, *compensation, *motion);
+    for_each_block_that_sets(analysis.program(), *compensation, [&](const BlockView& block) {
+        if (const auto change = changes.in(block)) visit(*change);
+    });
+}
+
+} // namespace maclint::rules

@@ -1,0 +1,157 @@
+//! One look at all stores and conditions.
+#include "rules/numbers/constant_condition_reasons_finder.hpp"
+
+#include "analyzer/dataflow/facts/comparison.hpp"
+#include "analyzer/dialect/ascii.hpp"
+#include "analyzer/queries/conditions/conditions.hpp"
+#include "analyzer/queries/values/origins.hpp"
+
+#include <algorithm>
+#include <optional>
+#include <utility>
+#include <variant>
+
+namespace maclint::rules {
+namespace {
+
+/// So many tests before a condition are looked at for what decides it.
+constexpr std::size_t most_tests_before = 1000;
+/// And so many nodes on the paths from these to the condition, in all.
+constexpr std::size_t most_nodes_before = 2500;
+
+const Guarded* guarded_by(const Program& program, EffectId effect) {
+    return std::get_if<Guarded>(&program.effects[effect].what);
+}
+
+std::optional<Label> jump_target(const Program& program, EffectId effect) {
+    const Guarded* guarded = guarded_by(program, effect);
+    if (guarded == nullptr || guarded->effects.count != 1) return std::nullopt;
+    const auto* jump = std::get_if<Jump>(&program.effects[guarded->effects.first].what);
+    return jump == nullptr ? std::nullopt : flow::constant_target(program, jump->target);
+}
+
+/// The text of what the condition guards, without blanks.
+std::string guarded_text(const Program& program, EffectId effect) {
+    const Guarded* guarded = guarded_by(program, effect);
+    if (guarded == nullptr || guarded->effects.count != 1) return {};
+    const Span span = program.effects[guarded->effects.first].span;
+    return without_blanks(program.slice(span));
+}
+
+struct Sides {
+    bool vacant = false; ///< one has never been set
+    bool open = true;    ///< no comparison is decided by itself: #1LT8 OR #1GT6
+    bool near = false;   ///< one may be decided otherwise by the rounding of a calculated value
+};
+
+/// 1-#1*#1/900, which is never below 0 but by its last digit, is asked for LT0 in front of SQRT.
+bool is_rounding_away(const dataflow::Comparison& comparison) {
+    const dataflow::Value& left = comparison.left;
+    const dataflow::Value& right = comparison.right;
+    const bool rounded =
+        left.exactness == dataflow::Exactness::rounded || right.exactness == dataflow::Exactness::rounded;
+    return rounded && (left.low == right.high || left.high == right.low);
+}
+
+Sides sides_of(const ProgramAnalysis& analysis, const dataflow::Condition& condition) {
+    Sides sides;
+    for (const auto& comparison : analysis.facts().at<dataflow::Comparison>(condition.effect)) {
+        sides.open &= comparison.truth.can_hold && comparison.truth.can_fail;
+        sides.near |= is_rounding_away(comparison);
+        for (const dataflow::Value* value : {&comparison.left, &comparison.right})
+            sides.vacant |= value->vacancy == dataflow::Vacancy::vacant;
+    }
+    return sides;
+}
+
+} // namespace
+
+DeliberateConditions::DeliberateConditions(const ProgramAnalysis& analysis)
+    : analysis_(analysis)
+    , settings_(analysis) {
+    const Program& program = analysis.program();
+    for (const dataflow::Condition& condition : analysis.facts().all<dataflow::Condition>()) {
+        if (const auto target = jump_target(program, condition.effect))
+            first_tests_.try_emplace(*target, condition.node);
+        else if (std::string text = guarded_text(program, condition.effect); !text.empty())
+            ++guarded_[std::move(text)];
+    }
+}
+
+bool DeliberateConditions::may_be_meant(const dataflow::Condition& condition,
+                                        const std::optional<queries::GuardBefore>& guard) const {
+    const Sides sides = sides_of(analysis_, condition);
+    const Program& program = analysis_.program();
+    if (guard && guard->same &&
+        (jump_target(program, condition.effect) ||
+         guarded_text(program, guard->effect) == guarded_text(program, condition.effect)))
+        return false;
+    if (sides.open) return false;
+    const bool asks_of_vacant = exemptions::condition_on_vacancy.is_on() && sides.vacant;
+    const bool asks_for_settings = !guard && exemptions::condition_on_settings.is_on();
+    if (!guard && sides.near) return true;
+    if (asks_for_settings && settings_.is_all_that_is_read(condition.expression, condition.effect))
+        return true;
+    if (!guard && asks_of_vacant) return true; // MAC209's, or a case that is left over
+    if (leaves_nothing_to_run(condition)) return false;
+    if (exemptions::jump_to_same_place.is_on() && repeats_another(condition)) return true;
+    if (exemptions::same_block_guarded_again.is_on() && does_what_another_does(condition)) return true;
+    if (asks_for_settings && settings_.is_read(condition.effect)) return true;
+    // What is left over after all other cases were tested may be tested once more.
+    return asks_of_vacant || (exemptions::last_case_tested.is_on() && condition.truth.can_hold);
+}
+
+/// An earlier test sends to the same place: the second is not needed, but does no harm.
+bool DeliberateConditions::repeats_another(const dataflow::Condition& condition) const {
+    const auto target = jump_target(analysis_.program(), condition.effect);
+    return target && first_tests_.at(*target) < condition.node;
+}
+
+/// IF[#6GT1]GOTO3, IF[#6NE4]GOTO3: one of the two is always true, and what stands in front of N3 never runs.
+bool DeliberateConditions::leaves_nothing_to_run(const dataflow::Condition& condition) const {
+    if (!condition.truth.can_hold || !repeats_another(condition)) return false;
+    const auto& graph = analysis_.graph();
+    std::optional<flow::NodeId> after, target;
+    for (const flow::EdgeId id : graph.out[condition.node]) {
+        const flow::Edge& edge = graph.edges[id];
+        if (edge.condition) (edge.holds ? target : after) = edge.to;
+    }
+    return after && !analysis_.data().reached(*after) && after != target;
+}
+
+/// IF[#6LT54]THEN#31=-1, IF[#6LT55]THEN#31=-1: one of the two is not needed, but does no harm.
+bool DeliberateConditions::does_what_another_does(const dataflow::Condition& condition) const {
+    if (condition.truth.can_hold) return false;
+    const auto found = guarded_.find(guarded_text(analysis_.program(), condition.effect));
+    return found != guarded_.end() && found->second > 1;
+}
+
+Reason reason_for(const ProgramAnalysis& analysis, const dataflow::Condition& condition,
+                  const std::optional<queries::GuardBefore>& guard) {
+    const Program& program = analysis.program();
+    const auto tested = [&](ExpressionId earlier) {
+        return Reason{guard && guard->same ? Reason::Kind::same_test : Reason::Kind::test,
+                      {},
+                      0,
+                      program.expressions[earlier].span,
+                      earlier};
+    };
+    if (guard) return tested(guard->condition);
+    if (sides_of(analysis, condition).open) return {Reason::Kind::itself, {}, 0, {}, {}};
+    for (const dataflow::Read& read : analysis.facts().at<dataflow::Read>(condition.effect)) {
+        const auto number = read.value.constant();
+        const auto set = queries::effect_of_origin(analysis, read.value.origin);
+        if (number && set)
+            return {Reason::Kind::number, read.variable, *number, program.effects[*set].span, {}};
+    }
+    const auto comparisons = analysis.facts().all<dataflow::Comparison>();
+    auto other = std::ranges::lower_bound(comparisons, condition.node, {}, &dataflow::Comparison::node);
+    std::size_t nodes_left = most_nodes_before;
+    for (std::size_t i = 0; i < most_tests_before && nodes_left > 0 && other != comparisons.begin(); ++i) {
+        --other;
+        if (queries::decides(analysis, *other, condition, nodes_left)) return tested(other->expression);
+    }
+    return {Reason::Kind::unknown, {}, 0, {}, {}};
+}
+
+} // namespace maclint::rules

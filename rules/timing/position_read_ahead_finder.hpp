@@ -1,0 +1,47 @@
+//! Positions that a program reads, and whether the axes have come to them by then.
+#pragma once
+
+#include "analyzer/dataflow/domain/value.hpp"
+#include "analyzer/source/exemption.hpp"
+#include "analyzer/workspace/program_analysis.hpp"
+
+#include <optional>
+#include <vector>
+
+namespace maclint::rules {
+
+/// By which a position may be read while a move runs.
+namespace exemptions {
+inline constexpr Exemption distance_along_an_axis;
+} // namespace exemptions
+
+/// A machine value that tells where an axis is.
+struct PositionRead {
+    ExpressionId expression;
+    flow::NodeId node;
+    std::int32_t axis;          ///< from 0 on
+    std::string_view addresses; ///< that move it; empty: any may
+    bool subtracted;
+};
+
+/// The positions that decide the expression, which is evaluated at the effect: read there, or before and
+/// stored in a variable since. Two of one axis of which one is taken from the other are none: they differ by
+/// an offset, wherever the axis is.
+[[nodiscard]] std::vector<PositionRead> positions_in(const ProgramAnalysis& analysis, EffectId effect,
+                                                     ExpressionId expression);
+
+/// A move that the control may still be making when it computes what stands in a node.
+struct UnfinishedMove {
+    flow::NodeId node;
+    Span span;
+};
+
+/// Whether a block takes look-ahead away from all that comes after it.
+[[nodiscard]] bool limits_look_ahead(const Program& program);
+
+/// The nearest such move of the axis that is read: no block that stops look-ahead lies between, no call, and
+/// no M code that a parameter of the control may have made one that does.
+[[nodiscard]] std::optional<UnfinishedMove> unfinished_move_before(const ProgramAnalysis& analysis,
+                                                                   const PositionRead& read);
+
+} // namespace maclint::rules

@@ -1,0 +1,124 @@
+//! Compares numbers with the variables that words of the same letter take.
+#include "rules/variables/bare_number_for_variable_finder.hpp"
+
+#include "analyzer/program/block_view.hpp"
+#include "analyzer/program/tables.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <map>
+#include <span>
+#include <string_view>
+#include <utility>
+#include <variant>
+
+namespace maclint::rules {
+namespace {
+
+/// The number, where it can be that of a variable.
+std::optional<std::int64_t> as_number(const Literal& literal) {
+    constexpr double most = 1e6;
+    const bool is_number = literal.value >= 1 && literal.value <= most &&
+                           literal.value == std::floor(literal.value) && !literal.decimal_point;
+    return is_number ? std::optional(static_cast<std::int64_t>(literal.value)) : std::nullopt;
+}
+
+/// The letter of a word and the number of the variable that is all of its value: `X#18`, `F[#517]`.
+using Letter = std::pair<std::string_view, std::int64_t>;
+using VariableWords = std::map<Letter, Span>;
+
+VariableWords words_of_variables(const Program& program) {
+    VariableWords found;
+    for (const Word& word : program.words) {
+        const auto* id = std::get_if<ExpressionId>(&word.value);
+        const auto* load = id == nullptr ? nullptr : std::get_if<Load>(&program.expressions[*id].node);
+        if (load != nullptr) found.emplace(Letter{word.address, load->variable.number}, word.span);
+    }
+    return found;
+}
+
+/// The word in which a place of the text stands, or nullptr.
+const Word* word_at(const Program& program, Offset at) {
+    const auto after =
+        std::ranges::upper_bound(program.words, at, {}, [](const Word& word) { return word.span.begin; });
+    if (after == program.words.begin()) return nullptr;
+    const Word& word = *(after - 1);
+    return word.span.contains(at) ? &word : nullptr;
+}
+
+/// `[517]`. A small number is a number more often: then a word of the same letter takes the variable.
+void find_in_brackets(const Program& program, const VariableWords& siblings, std::vector<BareNumber>& found) {
+    constexpr std::int64_t first_common = 100;
+    for (const Expression& expression : program.expressions) {
+        const auto* literal = std::get_if<Literal>(&expression.node);
+        if (literal == nullptr || !program.slice(expression.span).starts_with('[')) continue;
+        const auto number = as_number(*literal);
+        if (!number) continue;
+        const Word* word = word_at(program, expression.span.begin);
+        const auto sibling = word == nullptr ? siblings.end() : siblings.find({word->address, *number});
+        if (sibling != siblings.end())
+            found.push_back({*number, expression.span, sibling->second});
+        else if (*number >= first_common && names_variable(program, *number))
+            found.push_back({*number, expression.span, {}});
+    }
+}
+
+/// Whether the word moves an axis or gives a length, and its value is written as a number.
+const Literal* length_in(const Word& word) {
+    constexpr std::string_view lengths = "XYZUVWIJKR";
+    const auto* literal = std::get_if<Literal>(&word.value);
+    const bool is_length = word.address.size() == 1 && lengths.find(word.address) != std::string_view::npos;
+    return is_length && literal != nullptr && literal->value != 0 ? literal : nullptr;
+}
+
+/// `X18` beside `X#18`, in a program that writes points.
+void find_words(const Program& program, const VariableWords& siblings, std::vector<BareNumber>& found) {
+    constexpr std::size_t enough_points = 3;
+    if (siblings.empty()) return;
+    std::vector<BareNumber> candidates;
+    std::size_t with_point = 0, without = 0;
+    const auto wanted = [](const WordSummary&) { return true; };
+    for_each_block_with_words(
+        program, wanted, [&](const BlockView&, std::span<const Word> words, const WordSummary*) {
+            for (const Word& word : words) {
+                const Literal* length = length_in(word);
+                if (length == nullptr) continue;
+                (length->decimal_point ? with_point : without)++;
+                const auto number = as_number(*length);
+                const auto sibling = number ? siblings.find({word.address, *number}) : siblings.end();
+                if (sibling != siblings.end() && program.slice(word.span).find('[') == std::string_view::npos)
+                    candidates.push_back({*number, word.span, sibling->second});
+            }
+        });
+    if (with_point >= enough_points && without == candidates.size())
+        found.insert(found.end(), candidates.begin(), candidates.end());
+}
+
+} // namespace
+
+std::optional<std::int64_t> number_of_a_variable(const Program& program, ExpressionId id) {
+    const auto* literal = std::get_if<Literal>(&program.expressions[id].node);
+    return literal == nullptr ? std::nullopt : as_number(*literal);
+}
+
+bool names_variable(const Program& program, std::int64_t number) {
+    const std::string_view text = program.slice(program.span);
+    const std::string written = "#" + std::to_string(number);
+    for (std::size_t at = text.find(written); at != std::string_view::npos; at = text.find(written, at + 1)) {
+        const std::size_t end = at + written.size();
+        if (end == text.size() || text[end] < '0' || text[end] > '9') return true;
+    }
+    return false;
+}
+
+std::vector<BareNumber> find_bare_numbers(const Program& program) {
+    std::vector<BareNumber> found;
+    const VariableWords siblings = words_of_variables(program);
+    find_in_brackets(program, siblings, found);
+    find_words(program, siblings, found);
+    std::ranges::sort(found, {}, [](const BareNumber& bare) { return bare.span.begin; });
+    return found;
+}
+
+} // namespace maclint::rules

@@ -1,0 +1,30 @@
+//! Numbers that stand where a variable of that number is meant.
+#pragma once
+
+#include "analyzer/program/model.hpp"
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace maclint::rules {
+
+/// The whole number that the expression is, written without a point, and that a variable can have.
+[[nodiscard]] std::optional<std::int64_t> number_of_a_variable(const Program& program, ExpressionId id);
+
+/// Whether the program's text holds the variable of that number.
+[[nodiscard]] bool names_variable(const Program& program, std::int64_t number);
+
+struct BareNumber {
+    std::int64_t number;
+    Span span; ///< `[517]`, `X18`
+    Span
+        sibling; ///< `F[#517]`, `X#18`: a word of the same letter; empty: only other blocks name the variable
+};
+
+/// Numbers alone in brackets, where the program names the variable of that number; and words whose number has
+/// no point while those of all others do, where a word of the same letter takes that variable. In text order.
+[[nodiscard]] std::vector<BareNumber> find_bare_numbers(const Program& program);
+
+} // namespace maclint::rules
