@@ -30,9 +30,9 @@ bool acts(const Effect& effect) {
            !std::holds_alternative<Stop>(effect.what);
 }
 
-class Search {
+class EqualBranchesIn {
   public:
-    explicit Search(const ProgramAnalysis& analysis)
+    explicit EqualBranchesIn(const ProgramAnalysis& analysis)
         : program_(analysis.program())
         , graph_(analysis.graph()) {}
 
@@ -118,7 +118,7 @@ class Search {
 
 std::vector<EqualBranches> find_equal_branches(const ProgramAnalysis& analysis) {
     std::vector<EqualBranches> found;
-    const Search search(analysis);
+    const EqualBranchesIn search(analysis);
     for (const flow::NodeId node : analysis.graph().with_effects)
         if (analysis.data().reached(node))
             if (const auto equal = search.at(node)) found.push_back(*equal);

@@ -46,9 +46,9 @@ std::vector<PutBack> find_put_back(const ProgramAnalysis& analysis) {
     return all;
 }
 
-class Search {
+class MisplacedSaves {
   public:
-    explicit Search(const ProgramAnalysis& analysis)
+    explicit MisplacedSaves(const ProgramAnalysis& analysis)
         : analysis_(analysis)
         , put_back_(find_put_back(analysis)) {}
 
@@ -136,7 +136,7 @@ class Search {
 } // namespace
 
 std::vector<MisplacedSave> find_misplaced_saves(const ProgramAnalysis& analysis) {
-    return Search(analysis).run();
+    return MisplacedSaves(analysis).run();
 }
 
 } // namespace maclint::rules

@@ -63,9 +63,9 @@ Factors factors_of(const Program& program, ExpressionId id) {
     return factors;
 }
 
-class Search {
+class RadianConversions {
   public:
-    explicit Search(const ProgramAnalysis& analysis)
+    explicit RadianConversions(const ProgramAnalysis& analysis)
         : analysis_(analysis)
         , program_(analysis.program()) {
         for (const dataflow::Read& read : analysis.facts().all<dataflow::Read>())
@@ -131,7 +131,7 @@ std::vector<RadianUse> find_radians(const ProgramAnalysis& analysis) {
     const Program& program = analysis.program();
     std::vector<RadianUse> found;
     if (!holds_pi(program)) return found;
-    const Search search(analysis);
+    const RadianConversions search(analysis);
     for (const dataflow::Store& store : analysis.facts().all<dataflow::Store>())
         search.look_at_store(store, found);
     for (const Expression& expression : program.expressions) {

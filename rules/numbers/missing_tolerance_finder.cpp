@@ -29,9 +29,9 @@ bool asks_for_order(Operation operation) {
            operation == Operation::greater || operation == Operation::greater_equal;
 }
 
-class Search {
+class MissingTolerances {
   public:
-    explicit Search(const ProgramAnalysis& analysis)
+    explicit MissingTolerances(const ProgramAnalysis& analysis)
         : analysis_(analysis)
         , program_(analysis.program())
         , graph_(analysis.graph()) {}
@@ -107,7 +107,7 @@ class Search {
 } // namespace
 
 std::vector<MissingTolerance> find_missing_tolerances(const ProgramAnalysis& analysis) {
-    const Search search(analysis);
+    const MissingTolerances search(analysis);
     std::vector<Compared> all;
     for (const dataflow::Comparison& comparison : analysis.facts().all<dataflow::Comparison>())
         if (const auto compared = search.look_at(comparison)) all.push_back(*compared);

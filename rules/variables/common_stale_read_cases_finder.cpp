@@ -37,9 +37,9 @@ struct Case {
     flow::NodeId begins;
 };
 
-class Search {
+class StaleReads {
   public:
-    explicit Search(const ProgramAnalysis& analysis)
+    explicit StaleReads(const ProgramAnalysis& analysis)
         : analysis_(analysis)
         , graph_(analysis.graph()) {
         for (const Comparison& test : analysis.facts().all<Comparison>()) {
@@ -236,7 +236,7 @@ bool callers_set(const ProgramAnalysis& analysis, Variable variable) {
 std::vector<StaleRead> find_stale_reads(const ProgramAnalysis& analysis) {
     std::vector<StaleRead> found;
     std::unordered_set<dataflow::Key> seen;
-    std::optional<Search> search;
+    std::optional<StaleReads> search;
     for (const dataflow::Store& store : analysis.facts().all<dataflow::Store>()) {
         if (analysis.control().spaces[store.variable.space].scope != Scope::shared ||
             !seen.insert(dataflow::key_of(store.variable)).second)

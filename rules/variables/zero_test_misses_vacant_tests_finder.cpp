@@ -65,9 +65,9 @@ bool has_sibling(const ProgramAnalysis& analysis, const ZeroTest& test) {
     return is_alike(at + 1) || (at != 0 && is_alike(at - 1));
 }
 
-class Search {
+class MissedVacancies {
   public:
-    explicit Search(const ProgramAnalysis& analysis)
+    explicit MissedVacancies(const ProgramAnalysis& analysis)
         : analysis_(analysis)
         , trials_(analysis) {
         for (const Comparison& comparison : analysis.facts().all<Comparison>())
@@ -122,7 +122,7 @@ class Search {
 
 std::vector<MissedVacancy> find_missed_vacancy(const ProgramAnalysis& analysis) {
     std::vector<MissedVacancy> all;
-    std::optional<Search> search; // most programs have no such test
+    std::optional<MissedVacancies> search; // most programs have no such test
     for (const Comparison& comparison : analysis.facts().all<Comparison>()) {
         const auto test = zero_test(analysis.program(), comparison);
         if (!test) continue;

@@ -48,9 +48,10 @@ std::uint64_t hash_mixed(const Point& point) {
 }
 std::uint64_t hash_local(const Point& point) { return hash_mixed(point); }
 
-class Search {
+class FirstUseOfLeak {
   public:
-    Search(const ProgramAnalysis& callee, GroupId group, const dataflow::ExitState& exit, flow::NodeId set)
+    FirstUseOfLeak(const ProgramAnalysis& callee, GroupId group, const dataflow::ExitState& exit,
+                   flow::NodeId set)
         : workspace_(callee.workspace())
         , control_(callee.control())
         , callee_(callee)
@@ -311,7 +312,7 @@ class Search {
 
 LeakUse leak_use_of(const ProgramAnalysis& callee, GroupId group, const dataflow::ExitState& exit,
                     flow::NodeId set) {
-    return Search(callee, group, exit, set).run();
+    return FirstUseOfLeak(callee, group, exit, set).run();
 }
 
 } // namespace maclint::queries

@@ -12,9 +12,9 @@
 namespace maclint::queries {
 namespace {
 
-class Search {
+class CasesWithoutAssignment {
   public:
-    Search(const ProgramAnalysis& analysis, Variable variable, flow::NodeId read)
+    CasesWithoutAssignment(const ProgramAnalysis& analysis, Variable variable, flow::NodeId read)
         : analysis_(analysis)
         , program_(analysis.program())
         , graph_(analysis.graph())
@@ -110,7 +110,7 @@ class Search {
 
 MissingCase missing_case_on(const ProgramAnalysis& analysis, std::span<const flow::EdgeId> path,
                             Variable variable, flow::NodeId read) {
-    return Search(analysis, variable, read).run(path);
+    return CasesWithoutAssignment(analysis, variable, read).run(path);
 }
 
 bool is_same_case(const Program& program, const MissingCase& a, const MissingCase& b) {

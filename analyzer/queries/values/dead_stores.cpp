@@ -41,9 +41,9 @@ class Reads {
 };
 
 /// Looks from one store on.
-class Search {
+class FateOfStore {
   public:
-    Search(const ProgramAnalysis& analysis, const dataflow::Store& store)
+    FateOfStore(const ProgramAnalysis& analysis, const dataflow::Store& store)
         : analysis_(analysis)
         , graph_(analysis.graph())
         , store_(store)
@@ -180,7 +180,7 @@ std::vector<DeadStore> find_dead_stores(const ProgramAnalysis& analysis) {
             analysis.liveness().is_live_after(store.effect, store.variable))
             continue;
         if (!reads) reads.emplace(analysis);
-        auto found = Search(analysis, store).run();
+        auto found = FateOfStore(analysis, store).run();
         if (limit.is_met()) {
             execution::GivenUp::note(analysis.search_memory());
             break;

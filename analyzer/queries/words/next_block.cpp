@@ -54,7 +54,7 @@ bool calls(const Program& program, const BlockView& block) {
 }
 
 /// Looks at one block after the other until it has found the one, or there is no use in going on.
-struct Search {
+struct NextBlockWithLetter {
     const Program& program;
     Offset after;
     char letter;
@@ -118,7 +118,7 @@ Offset lines_back(std::string_view text, Offset place, int lines) {
 
 std::optional<std::vector<Word>> next_block_with(const WordsOfBlock& block, char letter) {
     const Program& program = block.analysis.program();
-    Search search{program, block.block.span.end, letter};
+    NextBlockWithLetter search{program, block.block.span.end, letter};
     for_each_block_in(
         block, {search.after, static_cast<Offset>(program.text.size())}, [&] { return !search.ended; },
         [&](const BlockView& view, std::span<const Word> words) { search.look_at(view, words); });
