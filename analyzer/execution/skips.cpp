@@ -1,6 +1,8 @@
 //! An edge into a skipped block runs it; one from before it to behind it passes it by.
 #include "analyzer/execution/skips.hpp"
 
+#include "analyzer/program/block_view.hpp"
+
 #include <algorithm>
 #include <bit>
 #include <variant>
@@ -11,8 +13,8 @@ namespace {
 /// The levels of the block, where its text is the node's: not of the place in front of a block, which jumps
 /// to it lead to.
 std::uint16_t levels_of(const Program& program, const flow::Node& node) {
-    const auto* block = std::get_if<Block>(&program.items[node.item]);
-    return block == nullptr || node.part.empty() ? std::uint16_t{0} : block->skip_levels;
+    const auto block = stored_block(program, node.item);
+    return !block || node.part.empty() ? std::uint16_t{0} : block->skip_levels;
 }
 
 std::uint16_t one_alone(std::uint16_t levels) {

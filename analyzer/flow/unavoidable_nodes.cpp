@@ -10,9 +10,9 @@ namespace {
 
 constexpr EdgeId none = std::numeric_limits<EdgeId>::max();
 
-class Search {
+class UnavoidableNodes {
   public:
-    Search(std::size_t nodes, std::span<const Edge> edges, const EdgesByNode& out)
+    UnavoidableNodes(std::size_t nodes, std::span<const Edge> edges, const EdgesByNode& out)
         : nodes_(nodes)
         , edges_(edges)
         , out_(out)
@@ -94,7 +94,7 @@ class Search {
 
 std::vector<bool> unavoidable_nodes(std::size_t nodes, std::span<const Edge> edges, const EdgesByNode& out,
                                     std::span<const Exit> exits) {
-    return Search(nodes, edges, out).run(exits);
+    return UnavoidableNodes(nodes, edges, out).run(exits);
 }
 
 } // namespace maclint::flow

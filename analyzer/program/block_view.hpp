@@ -41,6 +41,21 @@ struct Stretch {
     Span span;
 };
 
+/// What the program keeps of a block that is not passed with others; good as long as the program.
+struct StoredBlock {
+    std::uint16_t skip_levels; ///< as in BlockView
+    Slice effects;
+    std::span<const Word> words;
+};
+
+/// The block that the item is; nothing where it is plain blocks in a row, of which no block is kept.
+[[nodiscard]] inline std::optional<StoredBlock> stored_block(const Program& program, ItemId item) {
+    const auto* block = std::get_if<Block>(&program.items[item]);
+    if (block == nullptr) return std::nullopt;
+    return StoredBlock{block->skip_levels, block->effects,
+                       std::span(program.words).subspan(block->words.first, block->words.count)};
+}
+
 namespace blocks {
 
 /// Calls a visitor; one that returns false wants no more.

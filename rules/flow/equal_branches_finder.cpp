@@ -92,14 +92,12 @@ class EqualBranchesIn {
             });
             return;
         }
-        const auto* block = std::get_if<Block>(&program_.items[at.item]);
+        const auto block = stored_block(program_, at.item);
         const auto effects = program_.effects_in(at.effects);
-        const bool has_words =
-            block != nullptr && at.effects.first == block->effects.first && block->words.count != 0;
+        const bool has_words = block && at.effects.first == block->effects.first && !block->words.empty();
         branch.acts |= std::ranges::any_of(effects, acts) || (has_words && effects.empty());
         if (has_words)
-            for (const Word& word : std::span(program_.words).subspan(block->words.first, block->words.count))
-                add(branch, word.span);
+            for (const Word& word : block->words) add(branch, word.span);
         for (const Effect& effect : effects)
             if (!leads_on(effect)) add(branch, effect.span);
     }

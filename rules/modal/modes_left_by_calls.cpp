@@ -28,9 +28,9 @@ struct Calling {
     std::array<Span, roles.size()> first_since;
 };
 
-class Search {
+class LeftModes {
   public:
-    Search(const ProgramAnalysis& analysis, Reporter& reporter)
+    LeftModes(const ProgramAnalysis& analysis, Reporter& reporter)
         : analysis_(analysis)
         , letters_(*analysis.control().machine_words)
         , reporter_(reporter) {}
@@ -100,7 +100,7 @@ class Search {
 void report_modes_left_by_calls(const ProgramAnalysis& analysis, Reporter& reporter) {
     const MachineWords* letters = analysis.control().machine_words;
     if (letters == nullptr || !letters->x_is_diameter || analysis.calls().empty()) return;
-    Search search(analysis, reporter);
+    LeftModes search(analysis, reporter);
     analysis.machine().for_each_step([&](const Step& step) { search.see(step); });
 }
 

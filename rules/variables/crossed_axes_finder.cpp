@@ -1,6 +1,7 @@
 //! Holds the expressions of two assignments against each other.
 #include "rules/variables/crossed_axes_finder.hpp"
 
+#include "analyzer/program/block_view.hpp"
 #include "analyzer/program/tables.hpp"
 
 #include <optional>
@@ -99,9 +100,9 @@ std::optional<CrossedStatements> crossed(const Program& program, const Statement
 }
 
 /// The assignment that a block is, and nothing else.
-std::optional<Statement> statement_of(const Program& program, const Item& item) {
-    const auto* block = std::get_if<Block>(&item);
-    if (block == nullptr || block->effects.count != 1) return std::nullopt;
+std::optional<Statement> statement_of(const Program& program, ItemId item) {
+    const auto block = stored_block(program, item);
+    if (!block || block->effects.count != 1) return std::nullopt;
     const auto* assign = std::get_if<Assign>(&program.effects[block->effects.first].what);
     const auto* target = assign == nullptr ? nullptr : std::get_if<Variable>(&assign->target);
     if (target == nullptr) return std::nullopt;
@@ -113,7 +114,7 @@ std::optional<Statement> statement_of(const Program& program, const Item& item) 
 std::vector<CrossedStatements> find_crossed_statements(const Program& program) {
     std::vector<CrossedStatements> found;
     std::optional<Statement> before;
-    for (const Item& item : program.items) {
+    for (ItemId item = 0; item < program.items.size(); ++item) {
         const auto now = statement_of(program, item);
         if (before && now)
             if (const auto pair = crossed(program, *before, *now)) found.push_back(*pair);

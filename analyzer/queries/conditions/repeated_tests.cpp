@@ -3,6 +3,7 @@
 
 #include "analyzer/dataflow/domain/state.hpp"
 #include "analyzer/dataflow/facts/condition.hpp"
+#include "analyzer/program/block_view.hpp"
 #include "analyzer/queries/conditions/conditions.hpp"
 #include "analyzer/source/work_limit.hpp"
 
@@ -88,9 +89,9 @@ struct Case {
     Reads asked, given; ///< by the condition, in the value
 };
 
-std::optional<Case> case_of(const Program& program, const Item& item) {
-    const auto* block = std::get_if<Block>(&item);
-    if (block == nullptr || block->skip_levels != 0) return std::nullopt;
+std::optional<Case> case_of(const Program& program, ItemId item) {
+    const auto block = stored_block(program, item);
+    if (!block || block->skip_levels != 0) return std::nullopt;
     // What it guards stands behind it among the effects of the block.
     const auto* guarded = block->effects.count == 0
                               ? nullptr
@@ -133,7 +134,7 @@ bool is_reached(const ProgramAnalysis& analysis, EffectId effect) {
 void compare_cases(const ProgramAnalysis& analysis, std::vector<RepeatedTest>& found) {
     const Program& program = analysis.program();
     std::vector<Case> row;
-    for (const Item& item : program.items) {
+    for (ItemId item = 0; item < program.items.size(); ++item) {
         auto now = case_of(program, item);
         if (!now || !is_reached(analysis, now->effect)) {
             row.clear();

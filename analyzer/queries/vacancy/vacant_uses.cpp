@@ -4,6 +4,7 @@
 #include "analyzer/dataflow/facts/comparison.hpp"
 #include "analyzer/dataflow/facts/store.hpp"
 #include "analyzer/dataflow/facts/with_value.hpp"
+#include "analyzer/program/block_view.hpp"
 #include "analyzer/program/tables.hpp"
 #include "analyzer/queries/conditions/conditions.hpp"
 #include "analyzer/queries/paths/exits.hpp"
@@ -32,11 +33,10 @@ bool is_refused(const ProgramAnalysis& analysis, Variable variable) {
 
 /// Whether the variable is set nowhere but behind IF and THEN in the same block.
 bool is_set_under_conditions(const ProgramAnalysis& analysis, Variable variable) {
-    const auto& items = analysis.program().items;
     const auto stands_alone = [&](const dataflow::Store* store) {
         // What stands behind a condition is not among the effects of the block itself.
-        const auto* block = std::get_if<Block>(&items[analysis.graph().nodes[store->node].item]);
-        return block == nullptr || store->effect - block->effects.first < block->effects.count;
+        const auto block = stored_block(analysis.program(), analysis.graph().nodes[store->node].item);
+        return !block || store->effect - block->effects.first < block->effects.count;
     };
     return !any_within_limit(analysis.facts().about<dataflow::Store>(variable), stands_alone);
 }
@@ -46,12 +46,11 @@ bool is_set_under_conditions(const ProgramAnalysis& analysis, Variable variable)
 bool is_setting_for_some_cases(const ProgramAnalysis& analysis, const dataflow::Read& read) {
     const Program& program = analysis.program();
     const auto* setting = std::get_if<SetModal>(&program.effects[read.effect].what);
-    const auto* block = std::get_if<Block>(&program.items[analysis.graph().nodes[read.node].item]);
-    if (read.value.vacancy != dataflow::Vacancy::maybe || setting == nullptr || !setting->group ||
-        block == nullptr)
+    const auto block = stored_block(program, analysis.graph().nodes[read.node].item);
+    if (read.value.vacancy != dataflow::Vacancy::maybe || setting == nullptr || !setting->group || !block)
         return false;
     const ModalRole role = analysis.control().groups[*setting->group].role;
-    return (role == ModalRole::speed || role == ModalRole::feed) && block->words.count == 1 &&
+    return (role == ModalRole::speed || role == ModalRole::feed) && block->words.size() == 1 &&
            is_set_under_conditions(analysis, read.variable);
 }
 
