@@ -11,6 +11,9 @@ namespace maclint {
 /// The letters of the three axes that circles lie in: X, Y and Z; 0: there is none.
 using AxisLetters = std::array<char, 3>;
 
+/// Letters that name axes, whichever of them a machine has; those of them along which it measures lengths.
+inline constexpr std::string_view letters_of_axes = "XYZABCUVW", letters_of_lengths = "XYZUVW";
+
 /// Rows about one kind of machine.
 struct MachineWords {
     AxisLetters axes;

@@ -1,6 +1,7 @@
 //! Reads the axis words of the block and of those before it.
 #include "rules/modal/chamfer_or_corner_lengths_finder.hpp"
 
+#include "analyzer/program/machine_words.hpp"
 #include "analyzer/program/tables.hpp"
 #include "analyzer/queries/words/enclosed_blocks.hpp"
 
@@ -13,10 +14,9 @@ namespace maclint::rules {
 namespace {
 
 constexpr double absolute = 90, incremental = 91;
-constexpr std::string_view axes = "XYZABCUVW";
 
 bool is_axis(const Word& word) {
-    return word.address.size() == 1 && axes.find(word.address) != std::string_view::npos;
+    return word.address.size() == 1 && letters_of_axes.find(word.address) != std::string_view::npos;
 }
 
 /// Whether nothing but moves and their codes stands there: no call, no shift of zero, no other distance mode.
@@ -75,13 +75,11 @@ std::optional<AxisMove> single_move(const ProgramAnalysis& analysis, queries::Mo
         return control.code_system == 'A' ? std::optional(AxisMove{their_axes[at], std::abs(value->value)})
                                           : std::nullopt;
     const auto distance = control.group_with(ModalRole::distance);
-    const auto mode =
-        distance ? modes_at(block).with_words(*distance).sure_code() : std::optional(absolute);
+    const auto mode = distance ? modes_at(block).with_words(*distance).sure_code() : std::optional(absolute);
     if (mode == incremental) return AxisMove{word.address.front(), std::abs(value->value)};
     const auto before = mode == absolute ? position_before(analysis, block, word.address) : std::nullopt;
-    return before
-               ? std::optional(AxisMove{word.address.front(), std::abs(value->value - *before)})
-               : std::nullopt;
+    return before ? std::optional(AxisMove{word.address.front(), std::abs(value->value - *before)})
+                  : std::nullopt;
 }
 
 } // namespace maclint::rules

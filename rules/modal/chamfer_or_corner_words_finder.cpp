@@ -2,6 +2,7 @@
 #include "rules/modal/chamfer_or_corner_words_finder.hpp"
 
 #include "analyzer/program/block_view.hpp"
+#include "analyzer/program/machine_words.hpp"
 #include "analyzer/program/tables.hpp"
 #include "analyzer/queries/modal/modes_at.hpp"
 #include "analyzer/queries/words/enclosed_blocks.hpp"
@@ -12,6 +13,7 @@
 #include <array>
 #include <cmath>
 #include <optional>
+#include <string_view>
 #include <utility>
 #include <variant>
 #include <vector>
@@ -21,11 +23,10 @@ namespace {
 
 using Words = std::span<const Word>;
 
-constexpr std::string_view axes = "XYZABCUVW";
 constexpr std::array compensation = {40.0, 41.0, 42.0};
 
 bool is_axis(const Word& word) {
-    return word.address.size() == 1 && axes.find(word.address) != std::string_view::npos;
+    return word.address.size() == 1 && letters_of_axes.find(word.address) != std::string_view::npos;
 }
 
 /// A code of the block, where it is written.

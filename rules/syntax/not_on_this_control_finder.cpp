@@ -2,6 +2,7 @@
 #include "rules/syntax/not_on_this_control_finder.hpp"
 
 #include "analyzer/program/block_view.hpp"
+#include "analyzer/program/machine_words.hpp"
 #include "analyzer/program/tables.hpp"
 
 #include <algorithm>
@@ -17,7 +18,7 @@ namespace {
 std::string missing_letters(const ControlModel& control) {
     const bool lathe = control.machine == Machine::lathe;
     std::string missing;
-    for (const char letter : std::string_view(lathe ? "YV" : "XYZABCUVW")) {
+    for (const char letter : lathe ? std::string_view("YV") : letters_of_axes) {
         const char axis = lathe ? 'Y' : letter; // V is an increment of Y
         if (control.axes.find(axis) != std::string::npos) continue;
         missing.append(missing.empty() ? "" : " ").push_back(letter);

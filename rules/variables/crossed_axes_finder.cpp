@@ -2,9 +2,11 @@
 #include "rules/variables/crossed_axes_finder.hpp"
 
 #include "analyzer/program/block_view.hpp"
+#include "analyzer/program/machine_words.hpp"
 #include "analyzer/program/tables.hpp"
 
 #include <optional>
+#include <string_view>
 #include <utility>
 
 namespace maclint::rules {
@@ -73,7 +75,9 @@ bool is_next(Variable variable, Variable next) {
 bool are_axes(const Program& program, Variable first, Variable second) {
     const auto a = program.control->letter_of(first);
     const auto b = program.control->letter_of(second);
-    const auto is_axis = [](char letter) { return letter >= 'U' && letter <= 'Z'; };
+    const auto is_axis = [](char letter) {
+        return letters_of_lengths.find(letter) != std::string_view::npos;
+    };
     return a && b && is_axis(*a) && is_axis(*b);
 }
 

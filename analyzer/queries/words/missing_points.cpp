@@ -2,12 +2,14 @@
 #include "analyzer/queries/words/missing_points.hpp"
 
 #include "analyzer/program/block_view.hpp"
+#include "analyzer/program/machine_words.hpp"
 #include "analyzer/program/tables.hpp"
 #include "analyzer/queries/words/block_words.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <string_view>
 #include <variant>
 
 namespace maclint::queries {
@@ -76,7 +78,7 @@ class Counter {
         if (kind == Kind::other) return;
         const std::string_view letters = kind == Kind::dwell ? "XUP"
                                          : kind == Kind::arc ? "XYZUVWIJKR"
-                                                             : "XYZUVW";
+                                                             : letters_of_lengths;
         for (const Word& word : words) {
             const auto* value = std::get_if<Literal>(&word.value);
             if (value == nullptr || value->value == 0 || word.address.size() != 1 ||

@@ -2,6 +2,7 @@
 #include "analyzer/queries/words/stored_cycles.hpp"
 
 #include "analyzer/program/block_view.hpp"
+#include "analyzer/program/machine_words.hpp"
 #include "analyzer/program/tables.hpp"
 #include "analyzer/queries/modal/modes_at.hpp"
 #include "analyzer/queries/words/enclosed_blocks.hpp"
@@ -124,7 +125,7 @@ class Cycles {
                 if (word.address == "G" && !cycle.absolute) cycle.absolute = word.span;
         const Word* level = find(words, "ZR");
         if (level != nullptr) cycle.incremental_level.reset();
-        const Word* position = find(words, "XYZABCUVW");
+        const Word* position = find(words, letters_of_axes);
         if (position == nullptr) return false;
         cycle.is_carried_out = true;
         if (cycle.absolute && cycle.incremental_level && !cycle.position) cycle.position = position->span;
