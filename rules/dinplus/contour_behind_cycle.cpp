@@ -2,7 +2,7 @@
 #include "analyzer/program/numbered_blocks.hpp"
 #include "analyzer/program/tables.hpp"
 #include "analyzer/program/word_lookup.hpp"
-#include "analyzer/queries/text_order.hpp"
+#include "analyzer/queries/structure/text_order.hpp"
 #include "analyzer/workspace/program_analysis.hpp"
 #include "rules/path.hpp"
 #include "rules/rule.hpp"

@@ -1,6 +1,6 @@
 //! DIN317: a value of the interpolation that nothing has taken over before.
 #include "analyzer/program/word_lookup.hpp"
-#include "analyzer/queries/text_order.hpp"
+#include "analyzer/queries/structure/text_order.hpp"
 #include "analyzer/workspace/program_analysis.hpp"
 #include "rules/path.hpp"
 #include "rules/rule.hpp"

@@ -2,7 +2,7 @@
 #include "analyzer/program/section_blocks.hpp"
 #include "analyzer/program/word_lookup.hpp"
 #include "analyzer/queries/contours/contour_names.hpp"
-#include "analyzer/queries/surface_contours.hpp"
+#include "analyzer/queries/contours/surface_contours.hpp"
 #include "analyzer/workspace/program_analysis.hpp"
 #include "rules/path.hpp"
 #include "rules/rule.hpp"

@@ -1,6 +1,6 @@
 //! DIN951: under the monitoring of a measuring move stands no move, or more than one.
 #include "analyzer/program/word_lookup.hpp"
-#include "analyzer/queries/text_order.hpp"
+#include "analyzer/queries/structure/text_order.hpp"
 #include "analyzer/workspace/program_analysis.hpp"
 #include "rules/path.hpp"
 #include "rules/rule.hpp"

@@ -1,5 +1,5 @@
 //! Walks along lines and arcs that begin with G100, G110, G170 or G180.
-#include "analyzer/queries/surface_contours.hpp"
+#include "analyzer/queries/contours/surface_contours.hpp"
 
 #include "analyzer/program/numbered_blocks.hpp"
 #include "analyzer/program/section_blocks.hpp"

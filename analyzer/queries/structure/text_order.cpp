@@ -1,5 +1,5 @@
 //! Keeps the words of each block.
-#include "analyzer/queries/text_order.hpp"
+#include "analyzer/queries/structure/text_order.hpp"
 
 #include "analyzer/program/word_lookup.hpp"
 
