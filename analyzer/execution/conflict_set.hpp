@@ -1,4 +1,4 @@
-//! Places of a path, by their number from its start.
+//! Choice points of a path on which a failure rests, by their number from its start.
 #pragma once
 
 #include "analyzer/dataflow/domain/small_vector.hpp"
@@ -10,16 +10,16 @@
 
 namespace maclint::execution {
 
-class PlaceSet {
+class ConflictSet {
   public:
-    void add(std::size_t place) {
-        while (words_.size() <= place / bits) words_.push_back(0);
-        words_[place / bits] |= std::uint64_t{1} << place % bits;
+    void add(std::size_t point) {
+        while (words_.size() <= point / bits) words_.push_back(0);
+        words_[point / bits] |= std::uint64_t{1} << point % bits;
     }
-    void remove(std::size_t place) {
-        if (place / bits < words_.size()) words_[place / bits] &= ~(std::uint64_t{1} << place % bits);
+    void remove(std::size_t point) {
+        if (point / bits < words_.size()) words_[point / bits] &= ~(std::uint64_t{1} << point % bits);
     }
-    void add_all(const PlaceSet& more) {
+    void add_all(const ConflictSet& more) {
         while (words_.size() < more.words_.size()) words_.push_back(0);
         for (std::size_t i = 0; i < more.words_.size(); ++i) words_[i] |= more.words_[i];
     }
