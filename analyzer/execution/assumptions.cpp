@@ -15,7 +15,7 @@ using dataflow::SymbolId;
 using dataflow::Value;
 
 constexpr unsigned below = 1, same = 2, above = 4;
-/// So many lists of alternatives that speak of a value are asked, the last ones.
+/// Of the lists of alternatives that speak of a value only the last ones are asked.
 constexpr std::size_t most_lists = 16;
 
 /// Where the left side can lie beside the right one.

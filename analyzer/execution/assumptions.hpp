@@ -52,7 +52,7 @@ class Assumptions {
         Id earlier;
         std::uint32_t one_of =
             0; ///< one more than a place in a list of alternatives: it says that, and no more
-        std::uint32_t count = 1; ///< so many are assumed with it
+        std::uint32_t count = 1; ///< how many are assumed with it
     };
     [[nodiscard]] const Assumption& operator[](Id id) const { return all_[id - 1]; }
     /// How many are assumed with the last of them.

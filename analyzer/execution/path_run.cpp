@@ -16,7 +16,7 @@ using dataflow::Symbol;
 using dataflow::SymbolId;
 using dataflow::Value;
 
-/// Evaluating it takes as long as looking at so many assumptions.
+/// Evaluating it takes as long as looking at this number of assumptions.
 constexpr std::size_t work_of_an_expression = 8;
 
 } // namespace

@@ -129,7 +129,7 @@ class PathRun {
         std::uint32_t in = 0, place = 0;
     };
     std::vector<Seen> seen_;         ///< of each symbol
-    std::uint32_t fingerprints_ = 0; ///< so many were asked for
+    std::uint32_t fingerprints_ = 0; ///< how many were asked for
 };
 
 } // namespace maclint::execution

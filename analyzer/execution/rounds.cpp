@@ -13,7 +13,7 @@
 namespace maclint::execution {
 namespace {
 
-/// Loops inside so many others are taken for entered aside: that is asked again on each path.
+/// Whether a loop inside more loops than these is entered from aside is asked anew on each path.
 constexpr int most_depth = 16;
 /// Cycles are looked for on each path where nodes entered aside, times all nodes, are no more. Beyond that,
 /// in jumps without any order, loops are taken for entered at their heads, and some paths are not found.

@@ -14,9 +14,9 @@
 namespace maclint::rules {
 namespace {
 
-/// So many tests before a condition are looked at for what decides it.
+/// Tests before a condition that are looked at for what decides it.
 constexpr std::size_t most_tests_before = 1000;
-/// And so many nodes on the paths from these to the condition, in all.
+/// Nodes on the paths from all of these to the condition.
 constexpr std::size_t most_nodes_before = 2500;
 
 const Guarded* guarded_by(const Program& program, EffectId effect) {

@@ -17,7 +17,7 @@ using dataflow::SymbolId;
 
 constexpr int most_operations = 12; ///< that are followed, one in the other
 
-/// So many nodes before a read are looked at for a move: no control reads ahead as far as that.
+/// Nodes before a read that are looked at for a move: no control reads ahead further.
 constexpr std::size_t most_nodes_before = 2000;
 
 /// The addresses that move the axis; empty: any may.

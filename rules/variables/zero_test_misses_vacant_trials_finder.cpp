@@ -20,9 +20,9 @@ using execution::Content;
 
 constexpr std::uint64_t most_trials = 40;
 constexpr execution::Bounds bounds{.steps = 1500, .depth = 4};
-/// So many blocks are run for one program, whatever is asked.
+/// Blocks that are run for one program, whatever is asked.
 constexpr std::size_t most_blocks = 400'000;
-/// So many numbers of the program's text are tried.
+/// Numbers of the program's text that are tried.
 constexpr std::size_t most_numbers = 60;
 
 /// The numbers that unknowns get: usual ones, and those that the program is written with and greater ones, as

@@ -59,7 +59,7 @@ class VacancyTrials {
     std::vector<double> numbers_; ///< that unknowns get
     std::vector<Local> locals_;   ///< that the program reads
     execution::WordTexts texts_;
-    std::size_t blocks_ = 0; ///< so many have been run
+    std::size_t blocks_ = 0; ///< that have been run
     // Of the trial that runs:
     std::uint64_t number_ = 0;
     Variable variable_{};

@@ -26,7 +26,7 @@ using dataflow::Use;
 using dataflow::Vacancy;
 using dataflow::Value;
 
-/// So many nodes behind a test are looked at for a use, and so many before it for a way to it.
+/// Nodes behind a test that are looked at for a use, and nodes before it that are looked at for a way to it.
 constexpr std::size_t most_nodes = 2000, most_nodes_before = 20'000;
 
 class VacantPath {

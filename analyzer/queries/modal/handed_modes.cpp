@@ -17,7 +17,7 @@
 namespace maclint::queries {
 namespace {
 
-/// So many nodes are looked at for all callers; who cancels only beyond them is not found.
+/// Nodes that are looked at for all callers; who cancels only beyond them is not found.
 constexpr std::size_t most_looked_at = 2000;
 
 /// What blocks say of a group.

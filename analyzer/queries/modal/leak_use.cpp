@@ -25,7 +25,7 @@
 namespace maclint::queries {
 namespace {
 
-/// So many nodes are looked at; what lies beyond may rely on the state.
+/// Nodes that are looked at; what lies beyond them may rely on the state.
 constexpr std::size_t most_visits = 20'000;
 
 /// What is known on the path to a node.
@@ -297,7 +297,7 @@ class FirstUseOfLeak {
     struct Returning {
         std::vector<Caller> callers;
         std::uint32_t idle;
-        std::size_t earlier; ///< so many points were there before, and come later
+        std::size_t earlier; ///< points that were there before, and come later
     };
     std::vector<Returning> waiting_;
     std::set<std::pair<ProgramIndex, std::uint32_t>> returned_;

@@ -11,8 +11,7 @@ namespace {
 constexpr std::size_t most_searched = 4096;
 constexpr std::size_t most_looked_at = 256;
 
-/// The nodes from which the end can be reached. So many are looked at; of those beyond, it is taken for
-/// granted.
+/// The nodes from which the end can be reached. Where too many would be looked at, all are taken for such.
 std::vector<bool> leading_to(const ProgramAnalysis& analysis, flow::NodeId end) {
     const flow::Graph& graph = analysis.graph();
     std::vector<bool> leads(graph.nodes.size(), false);

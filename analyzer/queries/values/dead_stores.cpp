@@ -18,7 +18,7 @@ namespace {
 
 constexpr int most_blocks = 64; ///< from a condition to a store that it decides
 
-/// So many nodes are looked at behind all stores of a program, and so many more for each store.
+/// Nodes that are looked at behind all stores of a program, and those that each store adds to them.
 constexpr std::size_t most_nodes = 1'000'000;
 constexpr std::size_t nodes_of_a_store = 1000;
 

@@ -26,7 +26,7 @@ using dataflow::Comparison;
 using dataflow::Symbol;
 using dataflow::Value;
 
-/// So many operands are held against the checks before them.
+/// Operands that are held against the checks before them.
 constexpr int most_walks = 500;
 
 bool contains(const std::vector<Variable>& variables, Variable variable) {
