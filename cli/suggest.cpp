@@ -72,15 +72,6 @@ std::string did_you_mean(std::string_view word, std::span<const std::string> can
     return " " + std::string(otherwise);
 }
 
-std::string enumerate(std::span<const std::string> words) {
-    std::string out;
-    for (std::size_t i = 0; i < words.size(); ++i) {
-        if (i > 0) out += i + 1 == words.size() ? " and " : ", ";
-        out += words[i];
-    }
-    return out;
-}
-
 std::string counted(std::size_t count, std::string_view noun) {
     return std::to_string(count) + " " + std::string(noun) + (count == 1 ? "" : "s");
 }

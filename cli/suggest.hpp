@@ -21,9 +21,6 @@ namespace maclint::cli {
 [[nodiscard]] std::string did_you_mean(std::string_view word, std::span<const std::string> candidates,
                                        std::string_view otherwise);
 
-/// "a, b and c".
-[[nodiscard]] std::string enumerate(std::span<const std::string> words);
-
 /// "1 error", "2 errors".
 [[nodiscard]] std::string counted(std::size_t count, std::string_view noun);
 

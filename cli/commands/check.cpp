@@ -14,6 +14,7 @@
 #include "cli/report/timing.hpp"
 #include "cli/suggest.hpp"
 #include "cli/terminal.hpp"
+#include "rules/listed.hpp"
 
 #include <algorithm>
 #include <array>
@@ -56,9 +57,10 @@ std::optional<Notice> refuse_settings(const Overrides& overrides, Settings& sett
                           std::string(overrides.dialect->name) + " reads. Leave one of them out."};
     }
     const auto known = configuration != nullptr ? configuration->known_controls() : control_names();
-    return Notice{NoticeKind::configuration, "",
-                  "--control does not know '" + overrides.control + "'." +
-                      did_you_mean(overrides.control, known, "Known are " + enumerate(known) + ".")};
+    return Notice{
+        NoticeKind::configuration, "",
+        "--control does not know '" + overrides.control + "'." +
+            did_you_mean(overrides.control, known, "Known are " + rules::listed(known, " and ") + ".")};
 }
 
 /// The files that were asked for, and those around them that may call them or be called.

@@ -12,6 +12,7 @@
 #include "cli/report/variable_page.hpp"
 #include "cli/suggest.hpp"
 #include "cli/terminal.hpp"
+#include "rules/listed.hpp"
 #include "rules/words/row_examples.hpp"
 #include "rules/words/row_place.hpp"
 #include "rules/words/section_pages.hpp"
@@ -82,7 +83,8 @@ std::string list_of(const std::vector<NamedRule>& named) {
     if (!rules.empty()) counts.push_back(counted(rules.size(), "rule"));
     if (!rows.empty()) counts.push_back(counted(rows.size(), "row"));
     const std::string heading = rules.empty() || rows.empty() ? "" : "\nrows\n";
-    return plain_list(rules, ListedRows::left_out) + heading + list_of_rows(rows) + "\n" + enumerate(counts);
+    return plain_list(rules, ListedRows::left_out) + heading + list_of_rows(rows) + "\n" +
+           rules::listed(counts, " and ");
 }
 
 /// Whether pages of the language are wanted.

@@ -7,6 +7,7 @@
 #include "cli/config/shop_demands.hpp"
 #include "cli/engine/read.hpp"
 #include "cli/suggest.hpp"
+#include "rules/listed.hpp"
 
 #include <algorithm>
 #include <map>
@@ -47,7 +48,7 @@ std::string look_ahead_line(const MachineFunctions& functions) {
         const auto word = [&](int number) { return std::string(functions.address) + std::to_string(number); };
         words.push_back(first == last ? word(first) : word(first) + "-" + word(last));
     }
-    const std::string list = words.empty() ? "no others" : enumerate(words);
+    const std::string list = words.empty() ? "no others" : rules::listed(words, " and ");
     return line("look-ahead", "stopped by the words of the language, and " + list);
 }
 
@@ -61,8 +62,8 @@ std::string own_codes_line(const ControlModel& control) {
         else
             has.push_back(calls_program(code) ? name + " calls O" + std::to_string(code.program) : name);
     }
-    std::string text = enumerate(has);
-    if (!lacks.empty()) text += (text.empty() ? "lacks " : "; lacks ") + enumerate(lacks);
+    std::string text = rules::listed(has, " and ");
+    if (!lacks.empty()) text += (text.empty() ? "lacks " : "; lacks ") + rules::listed(lacks, " and ");
     return text.empty() ? "" : line("own codes", text);
 }
 
@@ -80,7 +81,7 @@ std::string lengths_line(const ControlModel& control) {
 std::string demands_line(const ControlModel& control) {
     if (control.demands == nullptr) return "";
     const std::vector<std::string> words = words_of(*control.demands);
-    return words.empty() ? "" : line("demanded", shown(enumerate(words)));
+    return words.empty() ? "" : line("demanded", shown(rules::listed(words, " and ")));
 }
 
 /// What is not as it comes, by reason.

@@ -8,6 +8,7 @@
 #include "cli/config/shop_demands.hpp"
 #include "cli/input/size_limits.hpp"
 #include "cli/suggest.hpp"
+#include "rules/listed.hpp"
 
 #include <algorithm>
 #include <array>
@@ -172,7 +173,8 @@ class Loader {
         if (base == nullptr)
             reject(model->node.span,
                    "there is no control '" + name + "'." +
-                       did_you_mean(name, control_names(), "Known are " + enumerate(control_names())));
+                       did_you_mean(name, control_names(),
+                                    "Known are " + rules::listed(control_names(), " and ")));
         OwnControl::Facts own{base->limits, base->functions};
         std::vector<const ControlModel*> lathes = base->lathes;
         // Which machine it is comes before its G code system, wherever the two stand.
@@ -353,10 +355,11 @@ class Loader {
                 } else if (member.key == "dialect") {
                     file.dialect = value;
                     if (find_dialect(value) == nullptr && value != "auto")
-                        reject(member.node.span,
-                               "there is no dialect '" + value + "'." +
-                                   did_you_mean(value, dialect_names(),
-                                                "Known are auto, " + enumerate(dialect_names())));
+                        reject(
+                            member.node.span,
+                            "there is no dialect '" + value + "'." +
+                                did_you_mean(value, dialect_names(),
+                                             "Known are auto, " + rules::listed(dialect_names(), " and ")));
                 } else {
                     reject_key(member, {known.begin(), known.end()});
                 }
@@ -437,7 +440,7 @@ class Loader {
         }
         if (std::ranges::find(known, name) == known.end())
             reject(node.span, "there is no encoding '" + name + "'." +
-                                  did_you_mean(name, known, "Write " + enumerate(known)));
+                                  did_you_mean(name, known, "Write " + rules::listed(known, " and ")));
     }
 
     /// Relative to the file that names it.
@@ -538,8 +541,9 @@ class Loader {
     }
 
     [[noreturn]] void reject_key(const JsonMember& member, const std::vector<std::string>& known) const {
-        reject(member.key_span, "there is no key '" + member.key + "' here." +
-                                    did_you_mean(member.key, known, "Known are " + enumerate(known)));
+        reject(member.key_span,
+               "there is no key '" + member.key + "' here." +
+                   did_you_mean(member.key, known, "Known are " + rules::listed(known, " and ")));
     }
 
   public:
@@ -553,7 +557,7 @@ class Loader {
                 const auto known = configuration_->known_controls();
                 reject(source, span,
                        "there is no control '" + name + "'." +
-                           did_you_mean(name, known, "Known are " + enumerate(known) + "."));
+                           did_you_mean(name, known, "Known are " + rules::listed(known, " and ") + "."));
             }
             if (dialect != nullptr && !is_for(*control, *dialect))
                 reject(source, span,

@@ -8,6 +8,7 @@
 #include "cli/input/wildcards.hpp"
 #include "cli/options/choices.hpp"
 #include "cli/suggest.hpp"
+#include "rules/listed.hpp"
 
 #include <algorithm>
 #include <limits>
@@ -233,12 +234,14 @@ void declare_check(CLI::App& check, CheckWords& words) {
     check.add_option("PATH", words.paths, "Files and folders; '-' reads standard input (default: .)")
         ->type_name("");
     check
-        .add_option("--format", words.format, "What goes to standard output: " + enumerate(words_of(formats)))
+        .add_option("--format", words.format,
+                    "What goes to standard output: " + rules::listed(words_of(formats), " and "))
         ->type_name("FORMAT");
     repeatable(check.add_option("--output", words.outputs, "Also write a report to a file; may be repeated"))
         ->type_name("FORMAT:FILE");
     check
-        .add_option("--dialect", words.dialect, "Language of all files: auto, " + enumerate(dialect_names()))
+        .add_option("--dialect", words.dialect,
+                    "Language of all files: auto, " + rules::listed(dialect_names(), " and "))
         ->type_name("NAME");
     check.add_option("--control", words.control, "Control that all files are for")->type_name("NAME");
     repeatable(check.add_option("--codes", words.codes,

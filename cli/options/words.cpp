@@ -5,6 +5,7 @@
 #include "cli/config/configuration.hpp"
 #include "cli/config/rule_words.hpp"
 #include "cli/suggest.hpp"
+#include "rules/listed.hpp"
 
 #include <utility>
 
@@ -14,7 +15,7 @@ void refuse(std::string message) { throw Refused{std::move(message)}; }
 
 void refuse_word(std::string_view option, const std::string& word, const std::vector<std::string>& known) {
     refuse(std::string(option) + " does not know '" + word + "'." +
-           did_you_mean(word, known, "Known are " + enumerate(known) + "."));
+           did_you_mean(word, known, "Known are " + rules::listed(known, " and ") + "."));
 }
 
 std::uintmax_t size_in_bytes(std::string_view option, const std::string& word) {

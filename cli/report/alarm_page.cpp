@@ -4,6 +4,7 @@
 #include "cli/report/alarm_words.hpp"
 #include "cli/suggest.hpp"
 #include "rules/alarms/alarm_uses.hpp"
+#include "rules/listed.hpp"
 
 #include <algorithm>
 
@@ -35,7 +36,7 @@ std::string words_of_use(const AlarmUse& use) {
     if (use.rows.size() > most_keys) return name + ", " + counted(use.rows.size(), "row");
     std::vector<std::string> keys;
     for (const RuleRow* row : use.rows) keys.push_back(row->key);
-    if (!keys.empty()) name += (keys.size() == 1 ? ", row " : ", rows ") + enumerate(keys);
+    if (!keys.empty()) name += (keys.size() == 1 ? ", row " : ", rows ") + rules::listed(keys, " and ");
     return name;
 }
 

@@ -4,6 +4,7 @@
 #include "cli/report/report.hpp"
 #include "cli/report/statistics.hpp"
 #include "cli/suggest.hpp"
+#include "rules/listed.hpp"
 
 namespace maclint::cli {
 
@@ -27,7 +28,8 @@ std::string write_concise(const Report& report, const TextStyle& style) {
         if (!filtered.suppressed) add_line(filtered.finding, ansi, "", out);
     for (const FilteredFinding& filtered : report.findings)
         if (is_withheld(filtered))
-            add_line(filtered.finding, ansi, " Withheld by " + enumerate(exemptions_of(filtered)) + ".", out);
+            add_line(filtered.finding, ansi,
+                     " Withheld by " + rules::listed(exemptions_of(filtered), " and ") + ".", out);
     if (report.statistics) out += statistics_text(report);
     if (style.summary == Summary::at_the_end) out += summary_line(report) + "\n" + known_lines(report);
     return out;

@@ -4,6 +4,7 @@
 #include "analyzer/dialect/dialect.hpp"
 #include "cli/report/mentions.hpp"
 #include "cli/suggest.hpp"
+#include "rules/listed.hpp"
 
 #include <algorithm>
 #include <charconv>
@@ -109,7 +110,7 @@ void add_rules(PlainPage& out, std::int64_t number, const std::vector<const Cont
 std::string names_of(const std::vector<const ControlModel*>& on) {
     std::vector<std::string> names;
     for (const ControlModel* control : on) names.push_back(control->name);
-    return enumerate(names);
+    return rules::listed(names, " and ");
 }
 
 } // namespace

@@ -1,5 +1,6 @@
 //! Guessing what a mistyped word means.
 #include "cli/suggest.hpp"
+#include "rules/listed.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -25,9 +26,9 @@ TEST(Closest, FindsNothingWhenAllIsFar) {
     EXPECT_EQ(closest(std::string(100'000, 'J'), rules), std::nullopt);
 }
 
-TEST(Enumerate, WritesAListAsASentenceDoes) {
-    EXPECT_EQ(enumerate(std::vector<std::string>{"a"}), "a");
-    EXPECT_EQ(enumerate(std::vector<std::string>{"a", "b", "c"}), "a, b and c");
+TEST(Listed, WritesAListAsASentenceDoes) {
+    EXPECT_EQ(rules::listed(std::vector<std::string>{"a"}, " and "), "a");
+    EXPECT_EQ(rules::listed(std::vector<std::string>{"a", "b", "c"}, " and "), "a, b and c");
 }
 
 TEST(Shown, EscapesWhatATerminalWouldActOn) {

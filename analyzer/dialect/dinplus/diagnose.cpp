@@ -7,6 +7,7 @@
 #include "analyzer/dialect/dinplus/lexer.hpp"
 #include "analyzer/dialect/dinplus/sections.hpp"
 #include "analyzer/dialect/numbers.hpp"
+#include "analyzer/dialect/shown_text.hpp"
 #include "analyzer/dialect/wide_signs.hpp"
 
 #include <algorithm>
@@ -16,13 +17,6 @@ namespace maclint::dinplus {
 namespace {
 
 using TokenKind = Token::Kind;
-
-constexpr std::size_t longest_shown = 60;
-
-std::string shown(std::string_view text) {
-    if (text.size() <= longest_shown) return std::string(text);
-    return std::string(text.substr(0, longest_shown)) + "...";
-}
 
 /// The tokens of a block and questions about them.
 class ErrorExplainer {
@@ -125,8 +119,7 @@ SyntaxError find_parse_error(std::string_view text, Span block, const syntax::Tr
         else if (!error->span.empty())
             span = {block.begin + error->span.begin, block.begin + error->span.end};
     }
-    return {SyntaxErrorKind::unreadable, span, shown(text.substr(span.begin, span.length())),
-            std::move(expected)};
+    return unreadable(text, span, std::move(expected));
 }
 
 std::optional<SyntaxError> find_cause(std::string_view text, Span block) {

@@ -11,6 +11,7 @@
 #include "analyzer/dialect/fanuc/remarks.hpp"
 #include "analyzer/dialect/fanuc/tables.hpp"
 #include "analyzer/dialect/numbers.hpp"
+#include "analyzer/dialect/shown_text.hpp"
 #include "analyzer/dialect/wide_signs.hpp"
 #include "analyzer/program/faults.hpp"
 
@@ -21,13 +22,6 @@ namespace maclint::fanuc {
 namespace {
 
 using TokenKind = Token::Kind;
-
-constexpr std::size_t longest_shown = 60;
-
-std::string shown(std::string_view text) {
-    if (text.size() <= longest_shown) return std::string(text);
-    return std::string(text.substr(0, longest_shown)) + "...";
-}
 
 /// `WH[` is WHILE: both letters are enough for the control.
 bool begins_condition(std::string_view word, const Token* next) {
@@ -621,8 +615,7 @@ SyntaxError find_parse_error(std::string_view text, Span block, const syntax::Tr
         else if (!error->span.empty())
             span = whole_words(text, block, {block.begin + error->span.begin, block.begin + error->span.end});
     }
-    return {SyntaxErrorKind::unreadable, span, shown(text.substr(span.begin, span.length())),
-            std::move(expected)};
+    return unreadable(text, span, std::move(expected));
 }
 
 NamedInBlock names_in(const Program& program, Span block) {
