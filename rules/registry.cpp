@@ -215,6 +215,7 @@
     RULE(contour_name_missing)                   /* DIN205 */ \
     RULE(finished_outside_blank)                 /* DIN209 */ \
     RULE(recess_off_line)                        /* DIN213 */ \
+    RULE(undercut_before_slope)                  /* DIN217 */ \
     RULE(level_unbalanced)                       /* DIN225 */ \
     RULE(full_circle_arc)                        /* DIN229 */ \
     RULE(corner_longer_than_line)                /* DIN239 */ \
@@ -222,6 +223,7 @@
     RULE(figure_size)                            /* DIN243 */ \
     RULE(holes_run_together)                     /* DIN244 */ \
     RULE(contour_behind_cycle)                   /* DIN246 */ \
+    RULE(contour_name_twice)                     /* DIN247 */ \
     RULE(reserved_global)                        /* DIN303 */ \
     RULE(string_number_mismatch)                 /* DIN305 */ \
     RULE(integer_global_fraction)                /* DIN306 */ \
@@ -278,7 +280,9 @@
     RULE(contour_reference_missing)              /* DIN704 */ \
     RULE(two_contours_named)                     /* DIN705 */ \
     RULE(wrong_kind_of_block)                    /* DIN706 */ \
+    RULE(thread_without_pitch)                   /* DIN720 */ \
     RULE(pilot_mark_undefined)                   /* DIN819 */ \
+    RULE(plane_of_contour)                       /* DIN833 */ \
     RULE(sync_mark_unmatched)                    /* DIN902 */ \
     RULE(sync_deadlock)                          /* DIN903 */ \
     RULE(slide_not_in_head)                      /* DIN905 */ \

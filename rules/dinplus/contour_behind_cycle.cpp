@@ -37,8 +37,7 @@ extern const Rule contour_behind_cycle{
           "Delete G80."}},
     .bad = {{"dinplus", R"nc(
 MACHINING
-N1 T1
-N2 G96 S200 G95 F0.2 M4
+N2 G96 S200 G95 F0.2 M4 T1
 N3 G0 X62 Z2
 N4 G810 P2
 N5 G0 X50 Z0
@@ -50,8 +49,7 @@ END
 )nc"}},
     .good = {{"dinplus", R"nc(
 MACHINING
-N1 T1
-N2 G96 S200 G95 F0.2 M4
+N2 G96 S200 G95 F0.2 M4 T1
 N3 G0 X62 Z2
 N4 G810 P2
 N5 G0 X50 Z0
@@ -80,6 +78,11 @@ bool is_one_of(std::optional<double> code, const Codes& codes) {
     return code && std::ranges::find(codes, *code) != codes.end();
 }
 
+/// Turning and milling cycles, and threads.
+bool takes_contour(std::optional<double> code) {
+    return code && (*code == 31 || (*code >= 800 && *code < 900));
+}
+
 class Walk {
   public:
     Walk(const ProgramAnalysis& analysis, Reporter& reporter)
@@ -103,7 +106,7 @@ class Walk {
         open_.reset();
         const bool is_cycle = is_one_of(code, cycles) && !ends && !block.breaks;
         const bool named = find_word(block.words, "NS") != nullptr || find_word(block.words, "ID") != nullptr;
-        has_own_contour_ = is_cycle && named && !in_cycle_;
+        has_own_contour_ = named && !in_cycle_ && !ends && !block.breaks && takes_contour(code);
         elements_ = 0;
         if (is_cycle && !named) open_ = block.block.span;
         if (code == with_contour || ends) in_cycle_ = !ends;
@@ -111,14 +114,10 @@ class Walk {
 
   private:
     void tell(std::string_view message, Span at) {
-        const std::string cycle = open_ ? quoted(analysis_.program(), *open_) : "";
-        if (message == "unclosed")
-            reporter_.report(
-                {analysis_, at}, at, message,
-                {quoted(analysis_.program(), at), cycle, line_number(analysis_.file(), open_->begin)});
-        else
-            reporter_.report({analysis_, at}, at, message,
-                             {message == "empty" ? cycle : quoted(analysis_.program(), at)});
+        const Program& program = analysis_.program();
+        reporter_.report({analysis_, at}, at, message,
+                         {quoted(program, at), open_ ? quoted(program, *open_) : "",
+                          open_ ? line_number(analysis_.file(), open_->begin) : ""});
     }
 
     const ProgramAnalysis& analysis_;

@@ -24,7 +24,7 @@ extern const Rule else_twice{
                   "Write an IF of its own for it."}},
     .bad = {{"dinplus", R"nc(
 MACHINING
-N1 IF #l1>3
+N1 IF #g1>3
 N2 THEN
 N3 G4 F1
 N4 ELSE
@@ -37,7 +37,7 @@ END
 )nc"}},
     .good = {{"dinplus", R"nc(
 MACHINING
-N1 IF #l1>3
+N1 IF #g1>3
 N2 THEN
 N3 G4 F1
 N4 ELSE

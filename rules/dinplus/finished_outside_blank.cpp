@@ -24,12 +24,13 @@ extern const Rule finished_outside_blank{
     .severity = Severity::warning,
     .precision = Precision::high,
     .needs = {Capability::sections},
-    .messages = {{"diameter",
-                  "Finished part outside the blank: '{0}' reaches diameter {1}, the blank has {2}.",
-                  "Correct the contour, or the diameter of the blank."},
-                 {"length",
-                  "Finished part outside the blank: '{0}' reaches Z{1}, the blank lies from Z{2} to Z{3}.",
-                  "Correct the contour, or the length or the right edge of the blank."}},
+    .messages =
+        {{"diameter", "Finished part outside the blank: '{0}' reaches diameter {1}, the blank has {2}.",
+          "Correct the contour, or the diameter of the blank."},
+         {"length", "Finished part outside the blank: '{0}' reaches Z{1}, the blank lies from Z{2} to Z{3}.",
+          "Correct the contour, or the length or the right edge of the blank."},
+         {"bore", "Finished part inside the bore: '{0}' reaches diameter {1}, the bore of the blank has {2}.",
+          "Correct the contour, or the bore of the blank."}},
     .bad = {{"dinplus", R"nc(
 BLANK
 N1 G20 X60 Z80 K1
@@ -82,6 +83,9 @@ void look_at(const ProgramAnalysis& analysis, const queries::Bar& bar, const que
             reporter.report(
                 {analysis, element.block}, element.block, "length",
                 {block, number_word(element.to->z), number_word(bar.left), number_word(bar.right)});
+        else if (bar.bore > 0 && 2 * element.to->x < bar.bore - rounding)
+            reporter.report({analysis, element.block}, element.block, "bore",
+                            {block, number_word(2 * element.to->x), number_word(bar.bore)});
         else
             continue;
         return; // one finding a contour

@@ -192,7 +192,8 @@ std::optional<Bar> bar_of(const Program& program, const Section& section) {
     for_each_block_of(program, section, [&](const BlockView&, std::span<const Word> words) {
         ++blocks;
         const auto x = number_of(words, x_word), z = number_of(words, z_word), k = number_of(words, centre_z);
-        if (number_of(words, "G") == bar && x && z) found = Bar{*x, k.value_or(0) - *z, k.value_or(0)};
+        if (number_of(words, "G") == bar && x && z)
+            found = Bar{*x, k.value_or(0) - *z, k.value_or(0), number_of(words, centre_x).value_or(0)};
     });
     return blocks == 1 ? found : std::nullopt;
 }

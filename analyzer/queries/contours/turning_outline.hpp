@@ -41,6 +41,7 @@ struct Outline {
 struct Bar {
     double diameter;
     double left, right; ///< ends along Z
+    double bore = 0;    ///< diameter inside; 0: none
 };
 /// Nothing where the section says it otherwise.
 [[nodiscard]] std::optional<Bar> bar_of(const Program& program, const Section& section);

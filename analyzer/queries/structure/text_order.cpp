@@ -18,6 +18,8 @@ bool breaks(const Program& program, const BlockView& block) {
                       !std::holds_alternative<EvaluateWords>(effect.what) &&
                       !std::holds_alternative<Motion>(effect.what) &&
                       !std::holds_alternative<Assign>(effect.what) &&
+                      !std::holds_alternative<Synchronise>(effect.what) &&
+                      !std::holds_alternative<ToolChange>(effect.what) &&
                       !std::holds_alternative<Reference>(effect.what);
            });
 }

@@ -129,6 +129,7 @@ constexpr BookLine lines[] = {
         word("W", 15933, "plunge angle"),
         word("WB", 15934, "diameter of the helix").without("1.5 x cutter diameter"),
         needs("ID NS", 15940, "", "no hole is named").also("DIN810"),
+        names_none("NS", "G49", "G300 G310 G370 G380", 15940, "it mills holes of the C or Y axis"),
     code("G743", 15977, "linear pattern on the face"),
         word("XK", 15991, "start point in XK"),
         word("YK", 15992, "start point in YK"),
