@@ -83,11 +83,13 @@ bool takes_contour(std::optional<double> code) {
     return code && (*code == 31 || (*code >= 800 && *code < 900));
 }
 
-class Walk {
-  public:
-    Walk(const ProgramAnalysis& analysis, Reporter& reporter)
-        : analysis_(analysis)
-        , reporter_(reporter) {}
+struct Walk {
+    const ProgramAnalysis& analysis;
+    Reporter& reporter;
+    std::optional<Span> open = {}; ///< the cycle whose contour the blocks describe
+    int elements = 0;
+    bool has_own_contour = false; ///< the block before is a cycle that names its contour
+    bool in_cycle = false;        ///< G83 is not ended
 
     void look_at(const queries::TextBlock& block) {
         const auto code = block.code();
@@ -95,43 +97,35 @@ class Walk {
             return word.address == "G" && number_of(&word) == end_of_contour;
         });
         const bool stops = number_of(block.words, "M") == 30 && block.words.size() == 1;
-        if (ends && has_own_contour_ && block.words.size() == 1) tell("surplus", block.block.span);
+        if (ends && has_own_contour && block.words.size() == 1) tell("surplus", block.block.span);
         const bool goes_on = is_one_of(code, contour) || (find_word(block.words, "G") == nullptr && !stops);
-        if (open_ && !ends && (!block.breaks || stops) && !goes_on)
-            tell(elements_ < 2 ? "empty" : "unclosed", elements_ < 2 ? *open_ : block.block.span);
-        else if (open_ && !ends && !block.breaks) {
-            elements_ += static_cast<int>(is_one_of(code, contour));
+        if (open && !ends && (!block.breaks || stops) && !goes_on)
+            tell(elements < 2 ? "empty" : "unclosed", elements < 2 ? *open : block.block.span);
+        else if (open && !ends && !block.breaks) {
+            elements += static_cast<int>(is_one_of(code, contour));
             return;
         }
-        open_.reset();
+        open.reset();
         const bool is_cycle = is_one_of(code, cycles) && !ends && !block.breaks;
         const bool named = find_word(block.words, "NS") != nullptr || find_word(block.words, "ID") != nullptr;
-        has_own_contour_ = named && !in_cycle_ && !ends && !block.breaks && takes_contour(code);
-        elements_ = 0;
-        if (is_cycle && !named) open_ = block.block.span;
-        if (code == with_contour || ends) in_cycle_ = !ends;
+        has_own_contour = named && !in_cycle && !ends && !block.breaks && takes_contour(code);
+        elements = 0;
+        if (is_cycle && !named) open = block.block.span;
+        if (code == with_contour || ends) in_cycle = !ends;
     }
 
-  private:
     void tell(std::string_view message, Span at) {
-        const Program& program = analysis_.program();
-        reporter_.report({analysis_, at}, at, message,
-                         {quoted(program, at), open_ ? quoted(program, *open_) : "",
-                          open_ ? line_number(analysis_.file(), open_->begin) : ""});
+        const Program& program = analysis.program();
+        reporter.report({analysis, at}, at, message,
+                        {quoted(program, at), open ? quoted(program, *open) : "",
+                         open ? line_number(analysis.file(), open->begin) : ""});
     }
-
-    const ProgramAnalysis& analysis_;
-    Reporter& reporter_;
-    std::optional<Span> open_; ///< the cycle whose contour the blocks describe
-    int elements_ = 0;
-    bool has_own_contour_ = false; ///< the block before is a cycle that names its contour
-    bool in_cycle_ = false;        ///< G83 is not ended
 };
 
 void check(const ProgramAnalysis& analysis, Reporter& reporter) {
     for (const Section& section : analysis.program().sections) {
         if (section.executed != Section::Executed::when_reached) continue;
-        Walk walk(analysis, reporter);
+        Walk walk{analysis, reporter};
         for (const queries::TextBlock& block : queries::blocks_in_order(analysis.program(), section))
             walk.look_at(block);
     }
