@@ -80,10 +80,18 @@ std::string name_replaced(const ProgramFile& file, const queries::ContourName& w
     return word;
 }
 
+/// One without a name, where none has a name.
+bool has_auxiliary_contour(const ProgramFile& file) {
+    return std::ranges::any_of(file.programs, [](const Program& program) {
+        return std::ranges::any_of(program.sections,
+                                   [](const Section& section) { return section.kind == "AUXIL_CONTOUR"; });
+    });
+}
+
 void check(const ProgramFile& file, Reporter& reporter) {
     const queries::ContourNames names = queries::contour_names(file);
     // A program that describes no contour may be a part of one that does.
-    if (!names.is_complete || names.described.empty()) return;
+    if (!names.is_complete || (names.described.empty() && !has_auxiliary_contour(file))) return;
     for (const queries::ContourName& wanted : names.wanted) {
         if (std::ranges::find(names.described, wanted.name, &queries::ContourName::name) !=
             names.described.end())

@@ -112,6 +112,15 @@ TEST(ContourNames, AreOfOneContour) {
     EXPECT_THAT(names("A", "C"), IsEmpty()) << "nobody asks";
 }
 
+TEST(ContourNames, AreMissedWhereTheOnlyContourHasNone) {
+    const auto asked = [](const std::string& heading) {
+        return din_lines("DIN205", heading + "\nG0 X60 Z0\nG1 X50\nMACHINING\nG810 ID\"A\" P2\nM30\nEND\n");
+    };
+    EXPECT_THAT(asked("AUXIL_CONTOUR"), ElementsAre(5));
+    EXPECT_THAT(asked("AUXIL_CONTOUR ID\"A\""), IsEmpty());
+    EXPECT_THAT(asked("FINISHED"), IsEmpty()) << "the contour may stand in another file";
+}
+
 TEST(Blanks, HaveMaterialOutsideTheirBore) {
     const auto bore = [](const std::string& blank) {
         return din_lines("DIN209",
