@@ -1,5 +1,5 @@
 //! DIN247: two contours with one name, for which a cycle asks.
-#include "analyzer/queries/contour_names.hpp"
+#include "analyzer/queries/contours/contour_names.hpp"
 #include "rules/path.hpp"
 #include "rules/rule.hpp"
 

@@ -1,8 +1,8 @@
 //! DIN720: G31 cuts a thread where its contour has none.
 #include "analyzer/program/section_blocks.hpp"
 #include "analyzer/program/word_lookup.hpp"
-#include "analyzer/queries/contour_blocks.hpp"
-#include "analyzer/queries/text_order.hpp"
+#include "analyzer/queries/contours/contour_blocks.hpp"
+#include "analyzer/queries/structure/text_order.hpp"
 #include "analyzer/workspace/program_analysis.hpp"
 #include "rules/path.hpp"
 #include "rules/rule.hpp"

@@ -1,7 +1,7 @@
 //! DIN217: an undercut in a corner whose second line is oblique.
 #include "analyzer/program/section_blocks.hpp"
 #include "analyzer/program/word_lookup.hpp"
-#include "analyzer/queries/turning_outline.hpp"
+#include "analyzer/queries/contours/turning_outline.hpp"
 #include "analyzer/workspace/program_analysis.hpp"
 #include "rules/path.hpp"
 #include "rules/rule.hpp"

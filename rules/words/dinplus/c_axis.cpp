@@ -65,7 +65,6 @@ constexpr BookLine lines[] = {
         takes_not("I", 16520, "with H3 the centre is told by J and K").when("H=3 -R"),
         takes_not("AN BR", 16498, in_contours).also_before("G80").also("DIN663"),
         wants_c_axis,
-        refused(12701, "without Q1 the radius is compensated in the XZ plane").while_on("radius compensation in the turning plane"),
     code("G110", 16535, "rapid traverse on the lateral surface"),
         word("Z", 16543, "end point in Z").without("modal"),
         word("C", 16544, "end angle").without("modal"),
@@ -102,7 +101,6 @@ constexpr BookLine lines[] = {
         excludes("R", "K J W", 16667, two_arcs).as(error),
         takes_not("AN BR", 16658, in_contours).also_before("G80").also("DIN663"),
         wants_c_axis, wants_reference_diameter,
-        refused(12702, "without Q2 the radius is compensated in the XZ plane").while_on("radius compensation in the turning plane"),
 };
 // clang-format on
 
