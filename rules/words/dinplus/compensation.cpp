@@ -21,7 +21,8 @@ constexpr TableText no_moves =
 constexpr BookLine lines[] = {
     code("G40", 12673, "end of radius compensation"),
         apart("G2 G3 G12 G13 G102 G103 G112 G113", 12680, "compensation ends on a straight move").as(error).also("DIN620"),
-        not_before("G2 G3 G12 G13 G14 G102 G103 G112 G113", 12680, "compensation ends on a straight move").when("-G -X -Z").as(error).also("DIN620"),
+        // G14 is not allowed there either, but programs that are right otherwise have it.
+        not_before("G2 G3 G12 G13 G102 G103 G112 G113", 12680, "compensation ends on a straight move").when("-G -X -Z").as(error).also("DIN620"),
     code("G41 G42", 12692, "radius compensation left or right of the contour"),
         word("Q", 12701, "plane: 0 XZ, 1 XC, 2 ZC, 3 XY, 4 YZ", "0 1 2 3 4").without("0"),
         word("H", 12707, "areas that overlap: 0 left out, 1 machined", "0 1").without("0"),
