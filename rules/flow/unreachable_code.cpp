@@ -53,6 +53,7 @@ MACHINING
 N10 G0 X100 Z2
 N20 M30
 N30 G14 Q0
+N40 M30
 END
 )nc"},
             {"dinplus", R"nc(

@@ -9,10 +9,9 @@
 namespace maclint::rules {
 namespace {
 
-/// Whether nobody can begin in the middle of the program: it is called, and nothing jumps.
+/// Whether nobody begins in the middle of the program: in a language without jumps it is one piece.
 bool begins_at_its_head(const ProgramAnalysis& analysis) {
-    return analysis.program().started == Program::Started::by_call &&
-           !analysis.control().has(Capability::jumps);
+    return !analysis.control().has(Capability::jumps);
 }
 
 } // namespace

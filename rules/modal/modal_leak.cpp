@@ -66,7 +66,7 @@ std::string cure_by_saving(const ProgramAnalysis& analysis, const queries::Modal
         return name + " holds the caller's since line " + line_number(analysis.file(), place) + ": write " +
                letter + name + before;
     }
-    const auto free = find_free_local(program);
+    const auto free = queries::find_free_local(program);
     if (!free) return "Save " + *variable + " at the start, and put it back" + before;
     const std::string name = program.spell(*free);
     return "Add " + name + "=" + *variable + " at the start, and " + letter + name + before;

@@ -141,7 +141,7 @@ constexpr BookLine lines[] = {
         word("H", 18837, "0 measures, 1 moves the axes alone", "0 1").without("0"),
         word("Q", 18840, "test: 0 all, 1 to 4 one of them", "0 1 2 3 4"),
         word("D", 18846, "number of the first axis", "1..9"),
-        word("V", 18847, "number of the second axis"),
+        word("V", 18847, "number of the second axis", "1..9"),
         only_with("D V", "Q", 18846, "the axes belong to a test"),
         takes_not("D", 18856, "the circle test of C has no first axis").when("Q=2 V=9").also("DIN926"),
         refused(18832, "a trial move with H1 comes first").when("H?0").while_off("trial move of G238").also("DIN925"),
@@ -151,7 +151,7 @@ constexpr BookLine lines[] = {
         word("H", 20064, "number of the conversion table"),
         word("Q", 20065, "number of the spindle").without("0"),
     code("G99", 20080, "choice and shift of the contour group"),
-        word("Q", 20086, "number of the contour group"),
+        word("Q", 20086, "number of the contour group", "1..4"), // at most four, l.2826
         word("D", 20087, "number of the spindle"),
         word("X", 20088, "shift in X, a diameter"),
         word("Z", 20089, "shift in Z"),
