@@ -4,7 +4,7 @@
 #include "analyzer/program/faults.hpp"
 #include "analyzer/program/model.hpp"
 #include "analyzer/source/encoding.hpp"
-#include "rules/fixes.hpp"
+#include "rules/syntax_remedies.hpp"
 
 #include <algorithm>
 #include <iterator>
@@ -67,36 +67,6 @@ bool is_told(const SyntaxError& error, std::span<const std::string_view> faults)
     if (!faults.empty()) return std::ranges::find(faults, error.fault) != faults.end();
     return std::ranges::find(faults::told_by_own_rules, error.fault) == std::end(faults::told_by_own_rules) &&
            std::ranges::find(faults::of_real_time, error.fault) == std::end(faults::of_real_time);
-}
-
-/// Whether the cure is what to write in place of the text, word for word; nothing: it is a sentence, or what
-/// is missing.
-std::optional<Applicability> replacement_by_cure(SyntaxErrorKind kind) {
-    switch (kind) {
-    case SyntaxErrorKind::foreign_remark: // the control takes none of them for a remark
-    case SyntaxErrorKind::blank_in_variable:
-    case SyntaxErrorKind::hash_in_vacancy_test: return Applicability::safe;
-    case SyntaxErrorKind::other_vacancy_test:
-    case SyntaxErrorKind::section_of_other_language:
-    case SyntaxErrorKind::unknown_internal_constant:
-    case SyntaxErrorKind::unknown_keyword: return Applicability::unsafe; // something near was meant
-    default: return std::nullopt;
-    }
-}
-
-void offer_remedy(const ProgramFile& file, const SyntaxError& error, Finding& finding) {
-    const Remedy& remedy = error.remedy;
-    if (remedy.changes.empty()) {
-        const auto applicability = replacement_by_cure(error.kind);
-        if (applicability && !error.cure.empty() &&
-            file.source->to_utf8(file.source->bytes(error.span)) == error.subject)
-            rules::offer_text(finding, *applicability, error.span, error.cure);
-        return;
-    }
-    Fix fix{std::string(remedy.title), remedy.certain ? Applicability::safe : Applicability::unsafe, {}};
-    for (const TextChange& change : remedy.changes)
-        fix.edits.push_back({file.source, change.span, std::string(change.text)});
-    finding.offer(std::move(fix));
 }
 
 } // namespace

@@ -220,8 +220,9 @@ bool is_summary(std::string_view line) {
 }
 
 bool is_not_shown(std::string_view line) {
-    std::string_view known = line;
-    return (take_counted(line, "step") && line == " of paths not shown; --path full shows them") ||
+    std::string_view known = line, fixed = line;
+    return (take_counted(fixed, "finding") && fixed == " can be corrected by --fix; --diff shows how") ||
+           (take_counted(line, "step") && line == " of paths not shown; --path full shows them") ||
            (take_counted(known, "known finding") && known.starts_with(" of ") &&
             known.ends_with(" not shown"));
 }

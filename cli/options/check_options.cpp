@@ -48,7 +48,7 @@ void declare_fixes(CLI::App& check, CheckWords& words) {
     check.add_flag("--fix", words.fix,
                    "Correct programs where a fix is safe: no block does anything else than it can only mean");
     check.add_flag("--unsafe-fixes", words.unsafe_fixes,
-                   "With --fix or --diff: fixes, too, that somebody who knows the program should look at");
+                   "Beside --fix or --diff, fixes that somebody who knows the program should look at, too");
     check.add_flag("--diff", words.diff, "Print what --fix would change, and change nothing");
 }
 

@@ -63,7 +63,7 @@ std::string fix_line(const Report& report) {
     for (const FilteredFinding& filtered : report.findings)
         if (!filtered.suppressed && wanted_fix(filtered.finding, FixesWanted::safe) != nullptr) ++count;
     if (count == 0) return "";
-    return std::to_string(count) + " can be corrected by --fix; --diff shows how\n";
+    return counted(count, "finding") + " can be corrected by --fix; --diff shows how\n";
 }
 
 std::string known_lines(const Report& report) {

@@ -1,6 +1,6 @@
 //! DIN662: an arc that cannot be: its radius is too small, or its ends lie on no circle round its centre.
-#include "analyzer/queries/contours/turning_outline.hpp"
 #include "analyzer/queries/contours/surface_contours.hpp"
+#include "analyzer/queries/contours/turning_outline.hpp"
 #include "analyzer/workspace/program_analysis.hpp"
 #include "rules/path.hpp"
 #include "rules/rule.hpp"

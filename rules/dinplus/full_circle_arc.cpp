@@ -1,6 +1,6 @@
 //! DIN229: an arc of a contour that ends where it begins.
-#include "analyzer/queries/contours/turning_outline.hpp"
 #include "analyzer/queries/contours/surface_contours.hpp"
+#include "analyzer/queries/contours/turning_outline.hpp"
 #include "analyzer/workspace/program_analysis.hpp"
 #include "rules/path.hpp"
 #include "rules/rule.hpp"

@@ -1,9 +1,11 @@
 //! Chooses the message for blocks that no path reaches.
 #include "rules/flow/unreached_words.hpp"
 
+#include "analyzer/program/model.hpp"
 #include "analyzer/program/tables.hpp"
 #include "rules/path.hpp"
 
+#include <algorithm>
 #include <variant>
 
 namespace maclint::rules {
@@ -12,6 +14,13 @@ namespace {
 /// Whether nobody begins in the middle of the program: in a language without jumps it is one piece.
 bool begins_at_its_head(const ProgramAnalysis& analysis) {
     return !analysis.control().has(Capability::jumps);
+}
+
+/// Whether a section begins between the two: one that stands twice says so itself.
+bool is_parted(const Program& program, const Effect& ender, Span work) {
+    return std::ranges::any_of(program.sections, [&](const Section& section) {
+        return section.heading.begin > ender.span.begin && section.heading.begin < work.begin;
+    });
 }
 
 } // namespace
@@ -36,8 +45,8 @@ std::optional<UnreachedWords> words_for(const ProgramAnalysis& analysis,
     const auto* stop = std::get_if<Stop>(&ender.what);
     const bool ends = stop != nullptr && stop->kind != Stop::Kind::alarm;
     if (!region.work) return std::nullopt;
-    if (exemptions::leads_to_an_end.is_on() && region.leaves && !begins_at_its_head(analysis))
-        return std::nullopt;
+    const bool may_begin_there = !begins_at_its_head(analysis) || is_parted(program, ender, *region.work);
+    if (exemptions::leads_to_an_end.is_on() && region.leaves && may_begin_there) return std::nullopt;
     if (exemptions::switches_behind_end.is_on() && ends && region.only_switches)
         return std::nullopt; // the end of a program switches off as well
     if (!region.number || ends || !analysis.control().has(Capability::jumps)) {

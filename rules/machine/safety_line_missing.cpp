@@ -1,6 +1,6 @@
 //! MAC562: blocks that the shop demands of each program.
 #include "analyzer/machine/demands.hpp"
-#include "rules/machine/safety_line_missing_finder.hpp"
+#include "rules/machine/demanded_place.hpp"
 #include "rules/machine_check.hpp"
 #include "rules/path.hpp"
 

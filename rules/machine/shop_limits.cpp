@@ -1,5 +1,5 @@
 //! MAC587: numbers beyond what the shop allows on its machine.
-#include "rules/machine/shop_limits_finder.hpp"
+#include "rules/machine/shop_limits_check.hpp"
 #include "rules/machine_check.hpp"
 
 namespace maclint::rules {

@@ -95,7 +95,7 @@ TEST_F(FixedFiles, ThatAreNotSafeWantAnOptionOfTheirOwn) {
 
 TEST_F(FixedFiles, AreOfferedInTheSummary) {
     folder.write("a.nc", bad);
-    EXPECT_THAT(run({"a.nc"}).out, HasSubstr("\n2 can be corrected by --fix; --diff shows how\n"));
+    EXPECT_THAT(run({"a.nc"}).out, HasSubstr("\n2 findings can be corrected by --fix; --diff shows how\n"));
     folder.write("a.nc", good);
     EXPECT_THAT(run({"a.nc"}).out, Not(HasSubstr("--fix")));
 }

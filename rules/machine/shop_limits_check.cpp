@@ -1,5 +1,5 @@
 //! Of MAC587: holds the numbers of a block against what the shop allows.
-#include "rules/machine/shop_limits_finder.hpp"
+#include "rules/machine/shop_limits_check.hpp"
 
 #include "rules/path.hpp"
 

@@ -1,5 +1,5 @@
 //! Of MAC562: the first move, the changes of a tool that has worked, and the ends of a program.
-#include "rules/machine/safety_line_missing_finder.hpp"
+#include "rules/machine/demanded_place.hpp"
 
 #include "analyzer/program/model.hpp"
 
