@@ -35,6 +35,12 @@ class QueriesTest(unittest.TestCase):
         rooms = {path.parent.relative_to(QUERIES).as_posix() for path in QUERIES.rglob("*.?pp")}
         self.assertEqual(sorted(named), sorted(rooms))
 
+    def test_cells_of_the_architecture_are_short(self):
+        rows = [line for line in (ROOT / "docs/architecture.md").read_text().splitlines() if line.startswith("|")]
+        self.assertGreater(len(rows), 40)
+        for row in rows:
+            self.assertLess(max(map(len, row.split("|"))), 200, row)
+
 
 if __name__ == "__main__":
     unittest.main()
