@@ -164,6 +164,12 @@ class VersionTest(unittest.TestCase):
         for path in sorted(ROOT.glob("grammar/*/tree-sitter.json")):
             self.assertEqual(json.loads(path.read_text())["metadata"]["version"], project_version.version(), path)
 
+    def test_has_a_section_of_the_changelog_that_is_read_in_a_minute(self):
+        sections = re.split(r"^## \[([^\]]+)\].*\n", (ROOT / "CHANGELOG.md").read_text(), flags=re.M)
+        lines = dict(zip(sections[1::2], sections[2::2]))[project_version.version()].strip().splitlines()
+        self.assertLessEqual(len(lines), 60)
+        self.assertEqual(sections[1], "Unreleased")
+
     def test_is_that_of_the_python_project(self):
         text = (ROOT / "pyproject.toml").read_text()
         pattern = re.search(r"^regex = '(.*)'$", text, re.MULTILINE).group(1)

@@ -1,4 +1,5 @@
 """The script ./dev: its words, what it does again and what not, and which file clang-tidy reads for a header."""
+import hashlib
 import pathlib
 import re
 import subprocess
@@ -103,6 +104,28 @@ class InCopyTest(unittest.TestCase):
         self.write("fuzz/c_only.hpp")
         changed = self.in_dev("changed_since HEAD").strip("\0").split("\0")
         self.assertEqual(changed, [str(self.folder.resolve() / name) for name in ("cli/b.cpp", "fuzz/c.cpp")])
+
+    def release(self, package):
+        """Runs the steps of a release, where each passes but for what `package` does for the packages."""
+        step = f"#!/bin/sh\n[ $1 = package ] || exit 0\nmkdir -p build/packages && cd build/packages\n{package}\n"
+        (self.folder / "step").write_text(step)
+        return self.in_dev("cp step dev; chmod +x dev; status=0; word_release || status=$?; echo status $status").splitlines()
+
+    def test_a_release_ends_with_the_files_to_publish_and_their_check_sums(self):
+        lines = self.release("echo a >maclint.whl; sha256sum maclint.whl >SHA256SUMS")
+        packages = (self.folder / "build/packages").resolve()
+        sums = [f"  {hashlib.sha256((packages / name).read_bytes()).hexdigest()}  {name}" for name in ("maclint.whl", "SHA256SUMS")]
+        self.assertEqual(lines[-4:], [f"to publish, from {packages}:", *sums, "status 0"])
+        self.assertEqual((self.folder / "build/release.log").read_text().splitlines()[-2:], sums)
+
+    def test_a_release_names_no_files_where_a_step_failed_or_a_sum_is_wrong(self):
+        made = "echo a >maclint.whl; sha256sum maclint.whl >SHA256SUMS"
+        for package, why in ((f"{made}; exit 1", "nothing is to be published before these pass"),
+                             (f"{made}; echo b >maclint.whl", "SHA256SUMS does not go with the packages")):
+            self.write("dev", DEV)
+            lines = self.release(package)
+            self.assertEqual(lines[-2:], [why, "status 1"])
+            self.assertFalse([line for line in lines if line.startswith("to publish")])
 
     def test_what_pip_brings_is_fetched_once(self):
         script = "need() { :; }; quietly() { shift; echo \"$@\"; }; mkdir -p build/venv; fetch_sources"
