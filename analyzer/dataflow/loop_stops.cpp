@@ -10,7 +10,7 @@
 namespace maclint::dataflow {
 namespace {
 
-/// Of so many nodes it is looked at what a round may do before it comes to them.
+/// For at most this many nodes it is asked what a round may do before it comes to them.
 constexpr std::size_t most_placed = 16;
 
 bool adds_nothing(const Store& store) { return store.step && store.step->amount.constant() == 0.0; }
@@ -32,7 +32,7 @@ bool LoopStops::may_stop_later(const CallMade& made) {
     return differs_somewhere || !is_made_in_each_round(made, call);
 }
 
-/// Whether the program is called in the first round, too: it stops there or never.
+/// Whether the program is called in the first round, too. If so, it stops there or never.
 bool LoopStops::is_made_in_each_round(const CallMade& made, const Call& call) {
     if (program_.control->calls[call.kind].trigger != CallTrigger::once || !flow::surely_runs(program_, call))
         return false;
@@ -40,8 +40,8 @@ bool LoopStops::is_made_in_each_round(const CallMade& made, const Call& call) {
     return std::ranges::find(*in_each_round_, made.node) != in_each_round_->end();
 }
 
-/// The nodes that every way round the loop passes. On a shortest way round they are those that no other way
-/// jumps over.
+/// The nodes that every way round the loop passes: the nodes of a shortest way round that no other way jumps
+/// over.
 std::vector<flow::NodeId> LoopStops::nodes_in_each_round() const {
     const auto stays = [this](flow::EdgeId edge, flow::NodeId to) {
         return loop_.holds(to) && analysis_.passable(edge);
@@ -104,8 +104,8 @@ bool LoopStops::differs(ExpressionId expression, flow::NodeId at, int left) {
     });
 }
 
-/// Whether it may be another number in another round, at a node of the loop. A variable that is set anew in
-/// each round, from nothing that changes, is not.
+/// Whether the variable may hold another number in another round, at a node of the loop. It does not where
+/// each round sets it anew from what does not change.
 bool LoopStops::differs(Variable variable, flow::NodeId at, int left) {
     if (!loop_.changes.may_change(variable)) return false;
     if (left == 0 || loop_.changes.clobbered(variable)) return true;
@@ -132,8 +132,8 @@ bool LoopStops::is_always_made(const Store& store, flow::NodeId at) {
     return without_condition && store.node != at && !comes_before(at, store.node);
 }
 
-/// Whether a round may come to the node before it comes to `last`, another one. True as well where too many
-/// were asked for.
+/// Whether a round may come to the node before it comes to `last`, another node. Also true where too many
+/// nodes were asked about.
 bool LoopStops::comes_before(flow::NodeId node, flow::NodeId last) {
     if (last == loop_.head) return false;
     if (!before_.contains(last) && before_.size() == most_placed) return true;

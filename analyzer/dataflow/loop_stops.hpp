@@ -24,9 +24,10 @@ class LoopStops {
         , analysis_(analysis)
         , loop_(loop) {}
 
-    /// Whether the program that is called may stop in some round of the loop, though not in the first: what
-    /// decides that is read from the machine, unknown, or changed by the loop or by what it calls; or the
-    /// first round may do without the call. True as well where too much would have to be looked at.
+    /// Whether the called program may stop in some later round of the loop, though not in the first. It may
+    /// where the first round may do without the call, or where what decides over the stop is unknown, read
+    /// from the machine, or changed by the loop or by what it calls. Also true where too much would have to
+    /// be looked at.
     [[nodiscard]] bool may_stop_later(const CallMade& made);
 
   private:

@@ -41,8 +41,8 @@ struct Loop {
                                                         const flow::Graph& graph, const Analysis& analysis,
                                                         const Cycles& cycles);
 
-/// Calls `visit` for every fact in the loop's body. Facts are in the order of nodes, and so is the body: each
-/// node's are looked up after those of the last.
+/// Calls `visit` for every fact in the loop's body. Facts and body are both in the order of nodes, so the
+/// facts of each node are looked up behind those of the node before.
 template<class Fact, class Visit>
 void for_each_in_body(const Loop& loop, std::span<const Fact> facts, const Visit& visit) {
     auto fact = facts.begin();

@@ -1,4 +1,4 @@
-//! What it depends on that no path leads on from a place.
+//! What the failure of a search depends on: the reasons why no path leads on from a place.
 #pragma once
 
 #include "analyzer/dataflow/solver/summary.hpp"
@@ -14,7 +14,8 @@ namespace maclint::execution {
 
 using dataflow::VariableSet;
 
-/// Variables that a search has asked for in vain: where they hold the same again it need not ask.
+/// The variables on which a failure depended. Where they hold the same again, the search fails again and need
+/// not be made.
 class FailureReasons {
   public:
     /// The references must outlive the reasons.
@@ -29,7 +30,7 @@ class FailureReasons {
     [[nodiscard]] VariableSet none() const;
     [[nodiscard]] std::vector<Variable> members(const VariableSet& set) const;
     void add_all(VariableSet& to, const VariableSet& from) const;
-    /// What is asked at the edge.
+    /// Adds what is asked at the edge.
     void add_decision(const flow::Edge& edge, VariableSet& set) const;
     /// What decides whether the programs that the node calls come back. Arguments seldom differ from path to
     /// path.

@@ -33,10 +33,10 @@ class WordTexts {
     std::unordered_map<const Program*, OfProgram> programs_;
 };
 
-/// Collects what a run gives, as its observer. Two runs with the same outputs have done the same: numbers of
-/// blocks, jumps, tests and assignments of what a variable holds already leave none; in a local variable 0
-/// and vacant count as the same. A word, an argument or a printed value that is vacant leaves none either, as
-/// the control passes over it.
+/// Collects what a run gives, as its observer. Two runs with the same outputs have done the same. Some things
+/// leave no output: numbers of blocks, jumps, tests, and assignments of what a variable holds already. A
+/// vacant word, argument or printed value leaves none either, as the control passes over it. In a local
+/// variable 0 and vacant count as the same.
 class Outputs {
   public:
     /// Must outlive the outputs.

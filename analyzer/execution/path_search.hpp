@@ -15,9 +15,9 @@ class PathSearch {
     explicit PathSearch(const ProgramAnalysis& analysis)
         : analysis_(&analysis) {}
 
-    /// A path from the program's start along all legs, each edge of which can be taken by who came this way.
-    /// Loops on it are left after any number of rounds, unless a barred node stands in one: that one is
-    /// passed without a round. May be asked on several threads, each with a search of its own.
+    /// A path from the program's start along all legs. Each of its edges can be taken by a run that came this
+    /// way. Loops on it are left after any number of rounds. A loop with a barred node is passed without a
+    /// round. May be asked on several threads, each with a search of its own.
     [[nodiscard]] PathFound find(std::span<const Leg> legs);
 
   private:

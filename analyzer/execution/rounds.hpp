@@ -1,5 +1,5 @@
-//! What may have changed when a path comes to a node and what lies ahead was run before: a path passes each
-//! node once, the rounds in between are not gone one by one.
+//! What rounds of loops may have changed when a path comes to a node. A path passes each node once, and
+//! rounds are not gone one by one: what they change counts as changed, in whatever way.
 #pragma once
 
 #include "analyzer/dataflow/cycles.hpp"
@@ -15,17 +15,17 @@
 
 namespace maclint::execution {
 
-/// The cycles of a program. A path that passes a node any number of times ends with the same values as one
-/// that stays once at the node while the cycles there change what they may: those that pass no node of the
-/// path.
+/// The cycles of a program. A path may pass a node any number of times. It ends with values that another path
+/// has, too, which passes the node once and lets the cycles there change whatever they may. Only cycles over
+/// no node of the path count.
 class Rounds {
   public:
     /// The analysis must outlive this, and hold the facts Store and Clobber.
     explicit Rounds(const ProgramAnalysis& analysis);
 
-    /// What the cycles through the node change that pass no node of which `is_passed(node)` says so, on a
-    /// path that begins at `first`. nullptr: nothing, or one of their nodes is `barred` (sorted), as nobody
-    /// knows how often they can go round without it. Valid as long as this is.
+    /// What the cycles through the node change, on a path that begins at `first`. Cycles over a node with
+    /// `is_passed(node)` do not count. nullptr: nothing changes, or one of their nodes is `barred` (sorted),
+    /// as it is unknown how often they can go round without it. Valid as long as this object.
     template<class IsPassed>
     [[nodiscard]] const Changes* at(flow::NodeId node, flow::NodeId first,
                                     std::span<const flow::NodeId> barred, const IsPassed& is_passed) {
@@ -41,15 +41,16 @@ class Rounds {
         if (changes == nullptr && !cycle.nodes.empty()) not_passed_ = &cycle.nodes;
         return changes;
     }
-    /// Nodes that the path had passed, and without which the last answer might have been another.
+    /// Nodes that the path had passed, and that may have made a difference to the last answer.
     [[nodiscard]] std::span<const flow::NodeId> in_the_way() const { return in_the_way_; }
-    /// Where a barred node was the reason for the last answer: nodes of which the path had passed none, as it
-    /// might have been another otherwise. Valid as long as this is; nullptr: there were none.
+    /// Where a barred node was the reason for the last answer: nodes that the path had not passed. Had it
+    /// passed one, the answer might have been another. Valid as long as this object; nullptr: there are none.
     [[nodiscard]] const std::vector<flow::NodeId>* not_passed() const { return not_passed_; }
     /// Whether all paths from the program's start to the node pass the heads of all loops around it.
     [[nodiscard]] bool heads_are_passed(flow::NodeId node) { return !entered_aside(node); }
-    /// Whether rounds that can be gone were left out of an answer, so that paths may be missed: they lead
-    /// around a barred node of their cycle or over one where the path stands, or loops are too many.
+    /// Whether an answer left out rounds that can be gone, so that paths may be missed. It does where a round
+    /// leads around a barred node of its cycle, or over a node of the path, or where there are too many
+    /// loops.
     [[nodiscard]] bool left_out() const { return left_out_; }
     void forget_left_out() { left_out_ = false; }
     /// How many nodes were looked at so far.
@@ -67,8 +68,8 @@ class Rounds {
             return graph_.order[graph_.edges[edge].from] >= graph_.order[node];
         });
     }
-    /// Whether an edge leads there from a node of its loop that the path has not passed; if not, those that
-    /// it has passed are in the way.
+    /// Whether an edge leads there from a node of its loop that the path has not passed. If not, the nodes
+    /// that it has passed are in the way.
     template<class IsPassed>
     [[nodiscard]] bool is_come_to_from_elsewhere(flow::NodeId node, const IsPassed& is_passed) {
         std::vector<flow::NodeId> passed;
@@ -77,7 +78,7 @@ class Rounds {
             if (!is_passed(from)) return true;
             passed.push_back(from);
         }
-        // Where there is one alone the path has come from there.
+        // Where only one edge leads there, the path has come along it.
         if (passed.size() > 1) in_the_way_ = std::move(passed);
         return false;
     }

@@ -10,8 +10,8 @@
 namespace maclint::execution {
 namespace {
 
-/// The levels of the block, where its text is the node's: not of the place in front of a block, which jumps
-/// to it lead to.
+/// The levels of the block, where the node stands for its text. A node in front of a block, to which jumps
+/// lead, has none.
 std::uint16_t levels_of(const Program& program, const flow::Node& node) {
     const auto block = stored_block(program, node.item);
     return !block || node.part.empty() ? std::uint16_t{0} : block->skip_levels;
@@ -31,7 +31,7 @@ bool is_part_of(const flow::Node& node, const flow::Node& of) {
     return node.item == of.item && node.part == of.part;
 }
 
-/// Whether the edge leads on in the text, past nothing but skipped blocks if past any; adds their levels.
+/// Whether the edge leads on in the text and passes by skipped blocks alone, if any; adds their levels.
 bool passes_by(const Program& program, const flow::Graph& graph, const flow::Edge& edge,
                std::uint16_t& levels) {
     const bool leads_on = edge.kind == flow::EdgeKind::next || edge.kind == flow::EdgeKind::skip ||

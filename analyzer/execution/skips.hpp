@@ -1,4 +1,4 @@
-//! What a path says of the switches for skipped blocks: who sets one leaves it so for the run.
+//! What a path says of the switches for skipped blocks. The operator leaves a switch as it is during a run.
 #pragma once
 
 #include "analyzer/flow/graph.hpp"
@@ -9,8 +9,8 @@
 
 namespace maclint::execution {
 
-/// Of each switch, bit n for level n, whether the path needs it on or off. Nothing of blocks that several
-/// levels skip.
+/// Whether the path needs each switch on or off; bit n is the switch of level n. Blocks that several levels
+/// skip say nothing.
 struct Switches {
     std::uint16_t on = 0;  ///< a block of the level is passed by
     std::uint16_t off = 0; ///< one is run

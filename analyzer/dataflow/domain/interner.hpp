@@ -47,7 +47,7 @@ class Interner {
     }
 
   private:
-    /// So many slots are looked at near the thing's first place before the search goes on far from it.
+    /// How many slots near the thing's first place are looked at before the search goes on far from it.
     static constexpr int most_near = 8;
 
     /// The slot that holds the thing, or the free one where it belongs.

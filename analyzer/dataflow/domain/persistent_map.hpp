@@ -187,7 +187,7 @@ class PersistentMap {
 
   private:
     static constexpr Key row = 8;
-    using Row = std::array<std::uint32_t, row>; ///< the values of so many keys, at least one of them there
+    using Row = std::array<std::uint32_t, row>; ///< values of neighbouring keys, at least one of them present
 
     struct Node {
         Key place = 0;          ///< leaf: its first key / row; branch: the bits above `bit`

@@ -18,7 +18,7 @@ void add_part(ModalValue& value, const ModalPart& part) {
     value.parts.insert(position, part);
 }
 
-/// What is vacant has no number: the other says where the number comes from.
+/// A vacant value has no number: then the other value says where the number comes from.
 OriginId joined_origin(const Value& a, const Value& b) {
     if (a.origin == b.origin) return a.origin;
     const bool a_vacant = a.vacancy == Vacancy::vacant, b_vacant = b.vacancy == Vacancy::vacant;
@@ -229,7 +229,7 @@ void States::havoc(State& state, SpaceId space, const Origin& site) {
     state.havoc = table_.remember(havoc);
 }
 
-/// That the variable itself was vacant at the start says more than that another one was.
+/// Such an origin says more than that another variable was vacant at the start.
 bool States::is_entry_of(OriginId vacancy_origin, Key key) const {
     const Origin& origin = table_.origins[vacancy_origin];
     const Variable variable = variable_of(key);

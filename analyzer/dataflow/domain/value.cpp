@@ -7,7 +7,7 @@
 namespace maclint::dataflow {
 namespace {
 
-/// A value that can be more numbers is one of any.
+/// A value that can be more numbers than this counts as one that can be any.
 constexpr std::size_t most_choices = 8;
 
 void add(Choices& choices, double number) {
@@ -67,7 +67,7 @@ ChoicesId ValueTable::either(const Value& a, const Value& b) {
 }
 
 void ValueTable::narrow(Value& value, std::span<const double> numbers) {
-    // What may be vacant counts as 0, and is not known to be a number when only that is left.
+    // A value that may be vacant counts as 0. When only 0 is left, it is still not known to be a number.
     const bool is_number = numbers.front() != 0 || value.vacancy == Vacancy::set;
     if (numbers.size() == 1 && is_number) {
         const OriginId origin = value.origin;

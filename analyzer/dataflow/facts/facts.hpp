@@ -20,7 +20,7 @@
 
 namespace maclint::dataflow {
 
-/// A fact of which the effect is known that it is about. Each type of fact has a header in facts/.
+/// A fact about a known effect. Each type of fact has a header in facts/.
 template<class T>
 concept OfAnEffect = requires(const T& fact) {
     { fact.effect } -> std::convertible_to<EffectId>;
@@ -40,7 +40,7 @@ concept HoldsState = requires(T& fact) {
     { fact.state } -> std::same_as<State&>;
 };
 
-/// Notes which types of facts its thread asks for while it lives: so much a rule has to declare.
+/// Notes which types of facts its thread asks for while it lives. A rule has to declare these.
 class AskedFacts {
   public:
     AskedFacts()

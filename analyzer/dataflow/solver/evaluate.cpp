@@ -73,8 +73,8 @@ Value Transfer::machine_value(FamilyId family, std::int32_t number, ExpressionId
         value.exactness = Exactness::exact;
     }
     if (follows_one_path_) {
-        // Inputs change by themselves, too; whoever asks one twice takes it to stay as it is, unless he waits
-        // for it.
+        // Inputs change by themselves, too. A program that asks for one twice takes it to stay as it is,
+        // unless it waits for it.
         const bool awaited = std::ranges::find(awaited_, MachineValue{family, number}) != awaited_.end();
         const bool moves_on = range->changes_by_itself && (!range->is_bit || awaited);
         const bool stored = range->on_write == OnWrite::store;
@@ -194,8 +194,8 @@ Value Transfer::evaluate(const State& state, ExpressionId id, Use use) {
         expression.node);
 }
 
-/// AND (`all`) or OR of conditions. Whether they can all hold, or all fail, is asked one after the other:
-/// of #1LT8 OR #1GT6 the second holds where the first fails.
+/// AND (`all`) or OR of conditions. Each condition is asked in the state that the ones before it leave: in
+/// #1LT8 OR #1GT6 the second always holds where the first fails.
 Truth Transfer::evaluate_chain(const State& state, std::span<const ExpressionId> operands, bool all) {
     const Chain chain(program_, all ? Operation::all_of : Operation::any_of, operands);
     Truth apart{all, !all};
@@ -204,7 +204,7 @@ Truth Transfer::evaluate_chain(const State& state, std::span<const ExpressionId>
         apart.can_hold = all ? apart.can_hold && part.can_hold : apart.can_hold || part.can_hold;
         apart.can_fail = all ? apart.can_fail || part.can_fail : apart.can_fail && part.can_fail;
     }
-    // Chains within are asked apart alone then: else each level of brackets would double the work.
+    // A chain inside a chain is asked without that: otherwise each level of brackets would double the work.
     if (!(all ? apart.can_hold : apart.can_fail) || in_chain_) return apart;
     in_chain_ = true;
     FactLists* const facts = std::exchange(facts_, nullptr); // what is read is recorded already
@@ -285,8 +285,8 @@ void Transfer::refine(State& state, ExpressionId id, bool holds) {
     }
 }
 
-/// Gathers the numbers of which the condition says that one is the variable's: #1EQ1 or #1EQ2. False where it
-/// says something else.
+/// Gathers numbers, where the condition says that the variable is one of them: #1EQ1 OR #1EQ2. False where
+/// the condition says something else.
 bool Transfer::names_numbers(ExpressionId id, bool holds, NumbersNamed& named) const {
     const auto* apply = std::get_if<Apply>(&program_.expressions[id].node);
     if (apply == nullptr) return false;
@@ -300,7 +300,7 @@ bool Transfer::names_numbers(ExpressionId id, bool holds, NumbersNamed& named) c
     const auto* load = std::get_if<Load>(&program_.expressions[operands[0]].node);
     const auto* literal = std::get_if<Literal>(&program_.expressions[operands[1]].node);
     if (load == nullptr || literal == nullptr) return false;
-    // Where vacant is equal to 0 it may be that.
+    // Where vacant equals 0, the variable may be vacant.
     if (literal->value == 0 && program_.control->vacant_equals_zero) return false;
     if (named.variable.value_or(load->variable) != load->variable) return false;
     named.variable = load->variable;
@@ -384,7 +384,8 @@ void Transfer::refine_entry_code(State& state, const Value& value, Operation ope
         know(members[0].number == *code ? members[1].number : members[0].number);
 }
 
-/// The caller's code is this one here: where the program has set it, it has set the caller's.
+/// It is known here that the caller's code is this one: where the program has set it, it has set the
+/// caller's.
 void Transfer::know_entry_code(State& state, ChannelGroup of, double code) {
     states_.know_entry_code(state, of, code);
     ModalValue value = states_.read(state, of);
@@ -395,7 +396,7 @@ void Transfer::know_entry_code(State& state, ChannelGroup of, double code) {
     states_.write(state, of, std::move(value));
 }
 
-/// Of the numbers that the value can be those for which the comparison can be true; false when none is left.
+/// Keeps those numbers that the value can be for which the comparison can be true; false when none is left.
 bool Transfer::keep_choices(Value& value, Operation operation, const Value& other) {
     std::vector<double> left;
     for (const double number : states_.table().choices_of(value))

@@ -15,12 +15,12 @@
 namespace maclint::dataflow {
 namespace {
 
-/// So many calls of one program with other numbers are followed into what they call.
+/// How many calls of one program, each with other numbers, are followed into what they call.
 constexpr std::size_t most_known_calls = 64;
 /// Longer programs are not run again for a call: those that only report an error are short.
 constexpr std::size_t most_nodes = 2000;
 
-/// So many states of one node are followed back to the caller before all are solved together.
+/// How many states of one node are followed back to the caller, before all states are solved together.
 constexpr std::size_t most_states_tried = 8;
 
 constexpr std::uint32_t no_way = std::numeric_limits<std::uint32_t>::max();
@@ -47,8 +47,8 @@ std::vector<std::uint32_t> distances_to_return(const flow::Graph& graph) {
     return distance;
 }
 
-/// Whether one path comes back, of which every node is tried with a few states, the nearest way first;
-/// nothing where none does, but nodes would have to be tried with other states.
+/// Whether a path comes back. Every node is tried with a few states, the nearest way first. Nothing where no
+/// path does, but nodes would have to be tried with further states.
 std::optional<bool> comes_back_at_first(const flow::Graph& graph, States& states, Transfer& transfer) {
     const std::vector<std::uint32_t> distance = distances_to_return(graph);
     std::vector<SmallVector<State, 1>> tried(graph.nodes.size());
@@ -81,8 +81,8 @@ std::optional<bool> comes_back_at_first(const flow::Graph& graph, States& states
 
 } // namespace
 
-/// What of the variables that decide over the callee's end is known at the call. Nothing when none is: what
-/// the call leaves out alone is no reason to look.
+/// What is known at the call of the variables that decide over the callee's end. Nothing when no number is
+/// known: that the call leaves some out is no reason to look by itself.
 KnownStart Transfer::known_at(const State& state, const Call& call, std::span<const Variable> deciding) {
     const bool shared_frame = program_.control->calls[call.kind].frame == Frame::shared;
     FactLists* const facts = std::exchange(facts_, nullptr); // what is read is recorded already
@@ -155,7 +155,7 @@ Begun Analysis::begun_with(const KnownStart& start) const {
     return begun;
 }
 
-/// Most calls come back, and the first way that is tried shows it; only where none does all are looked at.
+/// Most calls come back, and the first way that is tried shows it. Only where no way does are all looked at.
 bool Analysis::finds_way_back(const KnownStart& start) const {
     States states(*program_, knowledge_with(start));
     Transfer transfer(*program_, *graph_, states, callees_);

@@ -29,7 +29,7 @@ class LiveVariables {
 
     // ---- as a domain
 
-    /// Every node may be the last one: who never leaves a loop reads what it asks for all the same.
+    /// Every node may be the last one: a loop that is never left still reads what it asks for.
     [[nodiscard]] LiveSet at_begin(flow::NodeId node) const {
         const auto exit = at_exit_.find(node);
         return exit == at_exit_.end() ? sets_.none() : exit->second;
@@ -171,7 +171,8 @@ class LiveVariables {
 
 namespace {
 
-/// Of 8 bytes for all sets of a program together: no program that somebody has written comes near.
+/// The bound for all sets of a program together, in words of 8 bytes. No program written by a person comes
+/// near.
 constexpr std::size_t most_words = 8'000'000;
 
 } // namespace

@@ -6,11 +6,11 @@
 namespace maclint::dataflow {
 namespace {
 
-/// So many visits of a loop head before its bounds are widened, and of any node before its old state is kept
-/// in the join.
+/// Visits of a loop head before its bounds are widened, and of any node before its old state is kept in the
+/// join.
 constexpr std::uint32_t visits_before_widening = 2;
 constexpr std::uint32_t visits_before_keeping = 12;
-/// So many visits of a loop head before bounds stop growing from threshold to threshold.
+/// Visits of a loop head up to which bounds grow from threshold to threshold; then they become infinite.
 constexpr std::uint32_t visits_before_infinity = 5;
 constexpr std::size_t most_thresholds = 128;
 

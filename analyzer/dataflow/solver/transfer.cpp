@@ -69,7 +69,7 @@ State Transfer::along(const flow::Edge& edge, State after) {
         if (edge.kind == Kind::jump || edge.kind == Kind::computed || edge.kind == Kind::resume)
             states_.leave_out(after, others);
     }
-    // A condition that not all channels ask does not decide for the others.
+    // A condition that only some channels ask does not decide for the other channels.
     if (edge.condition && channels_.running == graph_.all_channels) {
         if (!judged_) judged_ = evaluate_condition(after, *edge.condition);
         if (edge.holds ? !judged_->can_hold : !judged_->can_fail) return {};
@@ -88,8 +88,8 @@ void Transfer::apply(State& state, const Effect& effect) {
     std::visit(overloaded{
                    [&](const Assign& what) { assign(state, what); },
                    [&](const SetModal& what) { set_modal(state, what); },
-                   // What changes nothing is only evaluated to be written down, and there is nothing to write
-                   // of a number.
+                   // Such an effect changes nothing. It is evaluated only where facts are recorded, and a
+                   // number gives none.
                    [&](const EvaluateWords& what) {
                        if (facts_ == nullptr) return;
                        for (const ExpressionId value : program_.values_of(what))
@@ -319,7 +319,7 @@ void Transfer::perhaps_end_groups(State& state, GroupId by, OriginId origin) {
     }
 }
 
-/// A channel that does not come here sets nothing; one of which that is not known may have.
+/// A channel that does not come here sets nothing. A channel of which that is unknown may have set the group.
 ModalId Transfer::written(const State& state, ChannelGroup of, ModalId value) {
     if (graph_.channels.empty()) return value;
     const ModalId known = states_.id_of(state, of);
@@ -435,7 +435,7 @@ void Transfer::run_program(State& state, EffectId id, const Call& call) {
     change_groups(state, summary);
 }
 
-/// Numbers are left out: assignment alone is to tell where the call leads.
+/// Numbers are left out: whether variables are set at all is to tell where the call leads.
 void Transfer::record_begin(const State& state, EffectId id, const Call& call,
                             std::span<const Variable> deciding) {
     KnownStart start = known_at(state, call, deciding);
@@ -445,13 +445,13 @@ void Transfer::record_begin(const State& state, EffectId id, const Call& call,
     facts_->add(CallBegun{node_, id, std::move(start)});
 }
 
-/// Whether who calls the program here wants it to stop. Any other call is taken for one that comes back: what
-/// stands behind it counts.
+/// Whether the program is called here in order to stop. Any other call is taken for one that comes back, so
+/// that what stands behind it counts.
 bool Transfer::is_made_to_stop(const Summary& called) const {
     return called.alarm_end.is_for_stopping() && !graph_.expects_return(node_);
 }
 
-/// A program of which nothing is known may store in what is, or may be, passed by reference.
+/// An unknown program may store in variables that are, or may be, passed by reference.
 void Transfer::clobber_passed(State& state, const Call& call) {
     for (const Argument& argument : program_.arguments_of(call)) {
         if (argument.passing == Passing::by_value) continue;
@@ -464,7 +464,7 @@ void Transfer::clobber_passed(State& state, const Call& call) {
     }
 }
 
-/// What this program hands down to all that it calls, they may change, and what was handed down to it.
+/// Called programs may change what this program hands down to them, and what was handed down to this program.
 void Transfer::change_handed_down(State& state, const Summary& summary) {
     const auto& written = summary.written_for_callers;
     const auto may_be_written = [&](Variable variable) {
@@ -490,7 +490,7 @@ void Transfer::change_groups(State& state, const Summary& summary) {
             const bool surely_here = (change.channels >> channel & 1U) != 0;
             if (!surely_here && channel != 0) continue;
             const ChannelGroup of{channel, change.group};
-            // Of a caller that names no channel the group may change in several channels of the callee.
+            // Where the caller names no channel, the group may change in several channels of the callee.
             ModalId& now = written_groups_[change.group];
             if (now == PersistentMap::absent) now = states_.id_of(state, of);
             ModalValue value;
@@ -540,8 +540,8 @@ Value Transfer::opaque_variable(Variable variable) {
     return value;
 }
 
-/// Whether the part is the code of a modal call. Of a program that is not known nobody assumes that it leaves
-/// one in force: every move after it could do anything.
+/// Whether the part is the code of a modal call. An unknown program is not assumed to leave one in force:
+/// otherwise every move after it could do anything.
 bool Transfer::is_modal_call(const ModalPart& part) const {
     const auto code = states_.table().number_of(part.symbol);
     return code && std::ranges::any_of(program_.control->calls, [&](const CallKind& kind) {

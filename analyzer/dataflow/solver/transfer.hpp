@@ -36,15 +36,15 @@ class Transfer {
     /// ends it.
     void record_in(FactLists* facts) { facts_ = facts; }
 
-    /// From now on a value of the machine has the same symbol wherever it is read, until it is stored or,
-    /// where it changes by itself, until the machine does something: right for who follows one path. An input
-    /// does so only when it is one of `awaited`.
+    /// For those who follow one path. From now on a value of the machine keeps its symbol until it is stored.
+    /// A value that changes by itself keeps it only until the machine does something. An input counts as
+    /// changing by itself only when it is one of `awaited`.
     void follow_one_path(std::vector<MachineValue> awaited) {
         follows_one_path_ = true;
         awaited_ = std::move(awaited);
     }
-    /// The last node of the path that moved the machine, called a program or waited; and that stored in a
-    /// value of the machine.
+    /// The last node of the path that moved the machine, called a program or waited (`acted`), and the last
+    /// one that stored in a value of the machine (`stored`).
     struct MachineTime {
         flow::NodeId acted = 0, stored = 0;
         friend bool operator==(const MachineTime&, const MachineTime&) = default;
@@ -56,7 +56,7 @@ class Transfer {
         return evaluate(after, id, Use::copy);
     }
 
-    /// So many expressions were evaluated so far.
+    /// The number of expressions evaluated so far.
     [[nodiscard]] std::size_t evaluated() const { return evaluated_; }
 
     /// Calls come back whatever they are given.
@@ -64,7 +64,7 @@ class Transfer {
 
     /// The state after the node.
     [[nodiscard]] State run(flow::NodeId node, State state);
-    /// The next edge is one of another node, or of another state, than were run last.
+    /// The next edge belongs to another node or another state than the ones that were run last.
     void turn_back() {
         judged_.reset();
         compared_.reset();
