@@ -81,17 +81,28 @@ std::optional<double> taken_by(const queries::OutlineElement& before, const quer
     return *before.corner * std::abs(std::tan(turn / 2));
 }
 
+/// The line behind the corner of an element: that of the last one lies where a closed contour begins, that of
+/// an open one has none but its own.
+const queries::OutlineElement& behind_corner(const queries::Outline& outline, std::size_t of) {
+    const auto& elements = outline.elements;
+    if (of + 1 < elements.size()) return elements[of + 1];
+    const auto &end = elements.back().to, &begin = elements.front().from;
+    const bool closes = end && begin && std::hypot(end->x - begin->x, end->z - begin->z) < 0.001; // mm
+    return closes ? elements.front() : elements.back();
+}
+
 double rounded(double length) { return std::round(length * 1000) / 1000; }
 
 void check(const ProgramAnalysis& analysis, Reporter& reporter) {
     constexpr double rounding = 0.001; // mm
     for (const queries::Outline& outline : queries::turning_contours(analysis.program())) {
-        for (std::size_t i = 0; i + 1 < outline.elements.size(); ++i) {
+        for (std::size_t i = 0; i < outline.elements.size(); ++i) {
             const queries::OutlineElement& element = outline.elements[i];
             if (!element.corner || *element.corner == 0) continue;
-            const auto taken = taken_by(element, outline.elements[i + 1]);
-            for (const std::size_t line : {i, i + 1}) {
-                const auto length = length_of(outline.elements[line]);
+            const queries::OutlineElement& behind = behind_corner(outline, i);
+            const auto taken = taken_by(element, behind);
+            for (const queries::OutlineElement* line : {&element, &behind}) {
+                const auto length = length_of(*line);
                 if (!taken || !length || *length == 0 || *taken <= *length + rounding) continue;
                 reporter.report({analysis, element.corner_span}, element.corner_span,
                                 *element.corner < 0 ? "plain" : "rounding",

@@ -18,12 +18,12 @@ ROWS = [
         ('din-pocket-not-ended', 'DIN225', 'G309 is gone'),
         ('din-contour-without-start', 'MAC580 MAC527', 'G0 at the beginning of a contour is gone'),
         ('din-pattern-behind-figure', 'MAC580', 'a pattern of holes or figures stands behind its figure'),
-        ('din-g80-removed', 'MAC580 MAC579', 'G80 at the end of a contour behind its cycle is gone'),
+        ('din-g80-removed', 'DIN246 MAC580 MAC579', 'G80 at the end of a contour behind its cycle is gone'),
     ]),
     ('order', 'warning', [
         ('din-sections-exchanged', 'DIN105 DIN106 DIN109 MAC527', 'the words of two sections have changed their places'),
         ('din-tool-before-retract', 'MAC534 MAC580', 'T behind the work in front of the G14 that belongs before it'),
-        ('din-codes-exchanged', 'MAC580 MAC527', 'G910 and G911, G740 and G860, and so on, the other way round'),
+        ('din-codes-exchanged', 'MAC580 MAC527 DIN951', 'G910 and G911, G740 and G860, and so on, the other way round'),
     ]),
     ('needs', 'warning', [
         ('din-c-axis-gone', 'MAC527 MAC580', 'M14 in front of codes of the C axis is gone'),
@@ -64,7 +64,7 @@ ROWS = [
         ('din-pocket-twice', 'DIN117', 'a place of the turret has two tools'),
     ]),
     ('references', 'warning', [
-        ('din-contour-name-twice', 'DIN205', 'two contours have one name'),
+        ('din-contour-name-twice', 'DIN205 DIN247', 'two contours have one name'),
         ('din-name-mistyped', 'DIN312', 'a constant or variable is mistyped'),
     ]),
     ('slides', 'error', [
@@ -83,14 +83,14 @@ ROWS = [
         ('din-arc-closed', 'DIN229', 'the end of an arc is its start'),
         ('din-chamfer-long', 'DIN239', 'a chamfer is longer than its line'),
         ('din-across-axis', 'MAC576 DIN208', 'a contour with turning crosses the axis'),
-        ('din-pocket-opened', 'DIN706', 'the last element of a pocket is gone'),
+        ('din-pocket-opened', 'DIN241 DIN706', 'the last element of a pocket is gone'),
     ]),
     ('contour', 'warning', [
         ('din-outside-blank', 'DIN209', 'the bar is smaller than the part'),
     ]),
     ('flow', 'error', [
         ('din-ends-crossed', 'DIN401 DIN404 DIN409', 'ENDIF and ENDWHILE the other way round'),
-        ('din-branch-twice', 'DIN401 DIN412', 'ELSE or DEFAULT stands twice'),
+        ('din-branch-twice', 'DIN423 DIN401 DIN412', 'ELSE or DEFAULT stands twice'),
         ('din-three-conditions', 'DIN403', 'a third condition'),
         ('din-case-twice', 'DIN411', 'two CASE of one value'),
     ]),
