@@ -4,6 +4,7 @@
 #include "analyzer/flow/solve.hpp"
 #include "analyzer/program/channels.hpp"
 #include "analyzer/program/code_key.hpp"
+#include "analyzer/program/section_blocks.hpp"
 #include "analyzer/program/word_condition.hpp"
 
 #include <algorithm>
@@ -152,6 +153,9 @@ void SwitchesOfChannel::run_part(flow::NodeId id, Span part, SwitchState& state)
         return;
     const Stretch stretch = node.stretch();
     if (stretch.item >= program_->items.size()) return; // the one node of an empty program
+    // A contour's F is one of its element, and no feed.
+    const Section* section = section_at(*program_, stretch.span.begin);
+    if (section != nullptr && section->executed != Section::Executed::when_reached) return;
     const auto look = [&](const BlockView& block, std::span<const Word> words) {
         // A block of several nodes does in the first what its words say.
         const bool is_first =

@@ -3,9 +3,18 @@
 
 #include "analyzer/program/block_view.hpp"
 
+#include <algorithm>
+#include <iterator>
 #include <span>
 
 namespace maclint {
+
+/// The section that the place lies in; nullptr: it lies before all of them.
+[[nodiscard]] inline const Section* section_at(const Program& program, Offset place) {
+    const auto behind = std::ranges::find_if(
+        program.sections, [&](const Section& section) { return section.heading.begin > place; });
+    return behind == program.sections.begin() ? nullptr : &*std::prev(behind);
+}
 
 /// `visit(BlockView, words)` for each block of the section that has words.
 template<class Visit>

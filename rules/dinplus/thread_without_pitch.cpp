@@ -82,12 +82,10 @@ constexpr std::array elements = {0.0, 1.0, 2.0, 3.0, 12.0, 13.0};
 /// Whether the blocks from `first` to `last`, with what lies on the last one, hold a thread, or anything that
 /// nobody knows.
 bool may_hold_thread(const NumberedBlock& first, double last) {
-    const auto& sections = first.program->sections;
-    const auto behind = std::ranges::find_if(
-        sections, [&](const Section& section) { return section.heading.begin > first.number_span.begin; });
-    if (behind == sections.begin()) return true;
+    const Section* section = section_at(*first.program, first.number_span.begin);
+    if (section == nullptr) return true;
     bool inside = false, at_last = false;
-    for (const queries::TextBlock& block : queries::blocks_in_order(*first.program, *std::prev(behind))) {
+    for (const queries::TextBlock& block : queries::blocks_in_order(*first.program, *section)) {
         const auto code = block.code();
         inside |= block.block.number == first.number;
         if (!inside) continue;

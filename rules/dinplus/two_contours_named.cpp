@@ -69,12 +69,8 @@ END
 
 namespace {
 
-/// The section that holds the block; nullptr: none does.
 const Section* section_of(const NumberedBlock& block) {
-    const auto& sections = block.program->sections;
-    const auto behind = std::ranges::find_if(
-        sections, [&](const Section& section) { return section.heading.begin > block.number_span.begin; });
-    return behind == sections.begin() ? nullptr : &*std::prev(behind);
+    return section_at(*block.program, block.number_span.begin);
 }
 
 void check(const ProgramAnalysis& analysis, Reporter& reporter) {

@@ -133,6 +133,18 @@ TEST(Switches, OfContoursLastToTheEndOfTheirSection) {
                 IsEmpty());
 }
 
+TEST(Switches, AFeedIsNoTimeAndNoneOfAContour) {
+    const auto lines = [](const std::string& blocks) {
+        return din_lines("MAC527", "PROGRAM HEAD\nTURRET 1\nT4 ID\"A\"\n"
+                                   "FINISHED\nN1 G0 X60 Z0\nN2 G1 Z-10\nN3 G95 F0.1\nN4 G1 Z-40\nN5 G95\n"
+                                   "MACHINING\nN10 T4\nN11 G97 S800 M3\n" +
+                                       blocks + "N15 M30\nEND\n");
+    };
+    EXPECT_THAT(lines("N12 G4 F2\nN13 G1 Z-5\n"), ElementsAre(14));
+    EXPECT_THAT(lines("N12 G95 F0.2\nN13 G1 Z-5\n"), IsEmpty());
+    EXPECT_THAT(lines("N12 F0.2\nN13 G1 Z-5\n"), IsEmpty());
+}
+
 TEST(Meetings, EndWhereAllSlidesCome) {
     const std::string head = "PROGRAM HEAD\n#SLIDE $1$2\nMACHINING\n";
     EXPECT_THAT(din_lines("DIN903", head + "$1$2 M97\n$1$2 M97\nM30\nEND\n"), IsEmpty());
@@ -142,6 +154,17 @@ TEST(Meetings, EndWhereAllSlidesCome) {
                 ElementsAre(4));
     EXPECT_THAT(din_lines("DIN903", head + "$1 M97 Q12\nM30\nEND\n"), IsEmpty())
         << "the manual's own example";
+    // Who has met goes on: the next meeting is another.
+    EXPECT_THAT(din_lines("DIN903", head + "$1$2 M97\n$1 M97\n$2 G0 X50\n$1$2 M97\nM30\nEND\n"),
+                ElementsAre(5));
+    EXPECT_THAT(din_lines("DIN903", head + "$1 M97\n$2 WHILE #l1<3\n$2 #l1=#l1+1\n$2 ENDWHILE\nM30\nEND\n"),
+                ElementsAre(4))
+        << "a loop without meetings changes nothing";
+    EXPECT_THAT(
+        din_lines("DIN903", head + "$1 M97\n$2 WHILE #l1<3\n$2 M97\n$2 #l1=#l1+1\n$2 ENDWHILE\nM30\nEND\n"),
+        IsEmpty());
+    EXPECT_THAT(din_lines("DIN903", head + "$2 G62 Q1 H7 O1 X100\n$1$2 M97\nM30\nEND\n"), IsEmpty())
+        << "a coordinate ends a wait, too";
     EXPECT_THAT(din_lines("DIN903", head + "$1 M97 Q-1\n$2 M97 Q1E20\nM30\nEND\n"), IsEmpty());
     EXPECT_THAT(din_lines("DIN903", head + "WHILE #g1<3\n$1 M97\nENDWHILE\nM30\nEND\n"), IsEmpty())
         << "a loop may change the order";

@@ -20,8 +20,10 @@ constexpr Switch switches[] = {
     {"spindle 1",                 "M103, M104", "M105", unknown_functions, machine, "l.20052-20054"},
     {"spindle 2",                 "M203, M204", "M205", unknown_functions, machine, "l.20052-20054"},
     {"spindle 3",                 "M303, M304", "M305", unknown_functions, machine, "l.20052-20054"},
-    {"feed",                      "F", "", "", channel, "l.10346, l.12532-12584"},
-    {"speed",                     "S", "", "", channel, "l.10346, l.12596-12637"},
+    // A time, a limit of rapid moves and a factor are no feeds, a limit is no speed: l.12511, l.18044, l.18608, l.20225.
+    {"feed",                      "F -G, F G!4|48|64|720|725|726|727", "", "", channel,
+     "l.10346, l.12532-12584"},
+    {"speed",                     "S -G, S G!26|126|226|326", "", "", channel, "l.10346, l.12596-12637"},
     {"tool",                      "T", "", "", channel, "l.10343-10345"},
     {"speed limit",               "G26 S, G126 S, G226 S, G326 S", "", "", channel, "l.10369, l.12461"},
     {"feed of 1000 or more",      "G94 F>999.999", "G94 F<1000, G95, G195, G295, G395, G93, G193, G293, G393",

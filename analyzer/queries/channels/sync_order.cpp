@@ -45,8 +45,9 @@ constexpr std::size_t most_steps = 1000;
 
 class Course {
   public:
-    explicit Course(const Program& program)
-        : program_(program) {}
+    explicit Course(const ProgramAnalysis& analysis)
+        : program_(analysis.program())
+        , regions_(analysis.regions()) {}
 
     /// Whether all of it could be read.
     bool read() {
@@ -58,10 +59,12 @@ class Course {
             });
         }
         for (const Effect& effect : program_.effects)
-            is_readable_ &= !std::holds_alternative<RegionMark>(effect.what) &&
-                            !std::holds_alternative<Jump>(effect.what) &&
+            is_readable_ &= !std::holds_alternative<Jump>(effect.what) &&
                             !std::holds_alternative<Call>(effect.what) &&
                             !std::holds_alternative<UnreadableBlock>(effect.what);
+        is_readable_ &= regions_.faults.empty() && !regions_.balance_unknown &&
+                        std::ranges::none_of(
+                            regions_.all, [&](const flow::Region& region) { return has_steps_in(region); });
         return is_readable_;
     }
 
@@ -81,6 +84,17 @@ class Course {
     }
 
   private:
+    /// Whether a loop or a choice decides how often a channel waits.
+    [[nodiscard]] bool has_steps_in(const flow::Region& region) const {
+        if (!region.close) return true;
+        const Span open = program_.effects[region.open].span, close = program_.effects[*region.close].span;
+        return std::ranges::any_of(steps_, [&](const auto& one) {
+            return std::ranges::any_of(one.second, [&](const Step& step) {
+                return open.begin < step.block.begin && step.block.begin < close.end;
+            });
+        });
+    }
+
     void read(Channels running, Span block, std::span<const Word> words) {
         for (const Word& code : words) {
             const auto* number = std::get_if<Literal>(&code.value);
@@ -104,10 +118,10 @@ class Course {
                 step.channels = (running & (running - 1U)) != 0 ? running : program_.channels;
             else if (is_meeting)
                 step.is_told = true;
-            // A mark of nobody is told elsewhere, and a coordinate ends a wait, too.
+            // A mark of nobody is told elsewhere, and a coordinate ends a wait, too: it may be over at once.
             if (step.kind == Step::Kind::wait &&
                 (step.channels == 0 || mark == nullptr || find_word(words, coordinate_word) != nullptr))
-                is_readable_ = false;
+                continue;
             for_each_channel(running, [&](std::uint8_t channel) { steps_[channel].push_back(step); });
             is_readable_ &= ++steps_in_all_ <= most_steps;
         }
@@ -118,8 +132,10 @@ class Course {
         bool all_there = true;
         for_each_channel(step.channels, [&](std::uint8_t other) {
             if (other != channel)
-                all_there = all_there && (step.kind == Step::Kind::wait ? marks_.contains({other, step.mark})
-                                                                        : is_at(other, channel, step));
+                all_there =
+                    all_there && (step.kind == Step::Kind::wait
+                                      ? marks_.contains({other, step.mark})
+                                      : is_at(other, channel, step) || (step.is_told && !will_meet(other)));
         });
         return all_there;
     }
@@ -129,32 +145,33 @@ class Course {
                    return one.block.begin == block.begin;
                });
     }
-    /// Whether the channel has come to the meeting, or is past one like it.
-    [[nodiscard]] bool is_at(unsigned channel, unsigned asking, const Step& step) const {
-        const auto passed = met_.find({channel, step.block.begin});
-        if (passed != met_.end()) return true;
+    /// What the channel has not done yet.
+    [[nodiscard]] std::span<const Step> left(unsigned channel) const {
         const auto steps = steps_.find(channel);
-        const bool meets_anywhere =
-            steps != steps_.end() &&
-            std::ranges::find(steps->second, Step::Kind::meet, &Step::kind) != steps->second.end();
-        if (!meets_anywhere) return step.is_told;
-        const auto place = at_.find(channel);
-        const std::size_t at = place == at_.end() ? 0 : place->second;
-        if (at >= steps->second.size()) return step.is_told;
-        const Step& now = steps->second[at];
+        if (steps == steps_.end()) return {};
+        const auto done = at_.find(channel);
+        return std::span(steps->second).subspan(done == at_.end() ? 0 : done->second);
+    }
+    [[nodiscard]] bool will_meet(unsigned channel) const {
+        return std::ranges::any_of(left(channel),
+                                   [](const Step& one) { return one.kind == Step::Kind::meet; });
+    }
+    /// Whether the channel has come to the meeting: blocks that both run are one only where they are the
+    /// same.
+    [[nodiscard]] bool is_at(unsigned channel, unsigned asking, const Step& step) const {
+        const auto steps = left(channel);
+        if (steps.empty()) return false;
+        const Step& now = steps.front();
         const bool shares_block = runs(channel, step.block) || runs(asking, now.block);
         return now.kind == Step::Kind::meet && now.mark == step.mark &&
                (!shares_block || now.block.begin == step.block.begin);
     }
+    /// Those who meet go on together.
     void pass(unsigned channel, const Step& step) {
         if (step.kind == Step::Kind::set) marks_.insert({channel, step.mark});
         if (step.kind == Step::Kind::meet)
             for_each_channel(step.channels, [&](std::uint8_t other) {
-                if (other == channel) return;
-                // The partner's own block of the meeting may pass later on.
-                const auto steps = steps_.find(other);
-                if (steps != steps_.end() && at_[other] < steps->second.size())
-                    met_.insert({channel, steps->second[at_[other]].block.begin});
+                if (other != channel && is_at(other, channel, step)) ++at_[other];
             });
         ++at_[channel];
     }
@@ -162,7 +179,8 @@ class Course {
     [[nodiscard]] std::optional<EndlessWait> stuck(unsigned channel, const Step& step) {
         std::optional<EndlessWait> found;
         for_each_channel(step.channels, [&](std::uint8_t other) {
-            if (other == channel || found) return;
+            const bool is_there = step.kind == Step::Kind::meet && is_at(other, channel, step);
+            if (other == channel || found || is_there) return;
             const auto steps = steps_.find(other);
             const bool is_over = steps == steps_.end() || at_[other] >= steps->second.size();
             if (is_over && step.kind == Step::Kind::wait) return; // told elsewhere
@@ -173,19 +191,19 @@ class Course {
     }
 
     const Program& program_;
+    const flow::Regions& regions_;
     bool is_readable_ = true;
     std::size_t steps_in_all_ = 0;
     std::map<unsigned, std::vector<Step>> steps_; ///< by channel
     std::map<unsigned, std::size_t> at_;          ///< the next step of each
     std::set<std::pair<unsigned, double>> marks_; ///< channel and mark
-    std::set<std::pair<unsigned, Offset>> met_;   ///< channel, and the partner's block
 };
 
 } // namespace
 
 std::optional<EndlessWait> find_endless_wait(const ProgramAnalysis& analysis) {
     if (!analysis.program().has_several_channels()) return std::nullopt;
-    Course course(analysis.program());
+    Course course(analysis);
     if (!course.read()) return std::nullopt;
     return course.run();
 }
