@@ -2,6 +2,7 @@
 #include "rules/finding.hpp"
 
 #include <algorithm>
+#include <cstddef>
 #include <iterator>
 #include <utility>
 
@@ -43,13 +44,11 @@ void Finding::offer(Fix offered) {
 }
 
 void Finding::add_repeat(Finding same) {
-    for (Fix& other : same.fixes) {
-        const auto own = std::ranges::find(fixes, other.title, &Fix::title);
-        if (own != fixes.end())
-            append(std::move(other), *own);
+    for (std::size_t i = 0; i < same.fixes.size(); ++i)
+        if (i < fixes.size())
+            append(std::move(same.fixes[i]), fixes[i]);
         else
-            fixes.push_back(std::move(other));
-    }
+            fixes.push_back(std::move(same.fixes[i]));
     repeats.push_back({std::move(same.source), same.span, "the same stands here"});
 }
 

@@ -4,8 +4,10 @@
 #include "analyzer/program/block_view.hpp"
 
 #include <algorithm>
+#include <cstddef>
 #include <iterator>
 #include <span>
+#include <variant>
 
 namespace maclint {
 
@@ -14,6 +16,14 @@ namespace maclint {
     const auto behind = std::ranges::find_if(
         program.sections, [&](const Section& section) { return section.heading.begin > place; });
     return behind == program.sections.begin() ? nullptr : &*std::prev(behind);
+}
+
+/// How many plain blocks the section has.
+[[nodiscard]] inline std::size_t plain_blocks(const Program& program, const Section& section) {
+    std::size_t blocks = 0;
+    for (ItemId item = section.items.first; item < section.items.first + section.items.count; ++item)
+        if (const auto* run = std::get_if<PlainRun>(&program.items[item])) blocks += run->blocks;
+    return blocks;
 }
 
 /// `visit(BlockView, words)` for each block of the section that has words.

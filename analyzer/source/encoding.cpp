@@ -2,6 +2,7 @@
 #include "analyzer/source/encoding.hpp"
 
 #include "analyzer/source/double_byte.hpp"
+#include "analyzer/source/encode.hpp"
 
 #include <algorithm>
 #include <array>
@@ -280,6 +281,30 @@ std::string printable_json(std::string_view json) {
         }
     });
     return out;
+}
+
+std::size_t utf8_length(char32_t character) {
+    if (character < 0x80) return 1;
+    if (character < 0x800) return 2;
+    return character < 0x10000 ? 3 : 4;
+}
+
+std::optional<std::string> encode(std::string_view utf8, Encoding encoding) {
+    if (encoding == Encoding::utf8) return std::string(utf8);
+    std::string bytes;
+    while (!utf8.empty()) {
+        const Character next = first_character(utf8);
+        const auto* high = std::ranges::find(windows_1252_high, next.value);
+        const bool is_of_windows = encoding == Encoding::windows_1252;
+        if (next.value < 0x80 || (is_of_windows && next.value >= 0xA0 && next.value <= 0xFF))
+            bytes += static_cast<char>(next.value);
+        else if (is_of_windows && high != windows_1252_high.end())
+            bytes += static_cast<char>(0x80 + (high - windows_1252_high.begin()));
+        else
+            return std::nullopt;
+        utf8.remove_prefix(next.length);
+    }
+    return bytes;
 }
 
 } // namespace maclint

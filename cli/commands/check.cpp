@@ -5,6 +5,7 @@
 #include "cli/commands/show_files.hpp"
 #include "cli/engine/engine.hpp"
 #include "cli/fix/fix_programs.hpp"
+#include "cli/fix/unified_difference.hpp"
 #include "cli/fix/write_fixed.hpp"
 #include "cli/gate/gate.hpp"
 #include "cli/gather_notices.hpp"

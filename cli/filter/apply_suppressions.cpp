@@ -172,21 +172,6 @@ bool is_filtered(const RuleToken& token) {
     return !token.rules.empty() && !only_itself;
 }
 
-/// The comment with what separates it from its neighbours; the whole line when nothing else stands on it.
-Span removal_of(const Source& source, Span comment) {
-    const std::string_view bytes = source.bytes();
-    const auto blank = [&](Offset at) { return bytes[at] == ' ' || bytes[at] == '\t'; };
-    Offset begin = comment.begin;
-    Offset end = comment.end;
-    while (begin > 0 && blank(begin - 1)) --begin;
-    while (end < bytes.size() && blank(end)) ++end;
-    const bool line_begins = begin == 0 || is_line_end(bytes[begin - 1]);
-    const bool line_ends = end == bytes.size() || is_line_end(bytes[end]);
-    if (line_begins && line_ends) return {begin, end == bytes.size() ? end : after_line_end(bytes, end)};
-    if (line_ends) return {begin, end};
-    return {comment.begin, line_begins ? end : comment.end};
-}
-
 /// The token with the separator after it, or before it when it is the last one.
 Span removal_of(const Directive& directive, const RuleToken& token) {
     const auto& tokens = directive.tokens;
@@ -316,7 +301,7 @@ class FileSuppressions {
         if (tokens.size() == directive.tokens.size()) {
             const Span comment = directive.comment->span;
             reporter.report({file_, comment}, comment, "comment", {quoted_list(tokens, *file_.source)})
-                .offer(removal("Remove the comment", removal_of(*file_.source, comment)));
+                .offer(removal("Remove the comment", rules::removal_of(*file_.source, comment)));
             return;
         }
         for (const RuleToken* token : tokens) {

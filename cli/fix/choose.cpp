@@ -2,50 +2,74 @@
 #include "cli/fix/choose.hpp"
 
 #include <algorithm>
+#include <iterator>
 #include <map>
 #include <utility>
+#include <variant>
 
 namespace maclint::cli {
 namespace {
 
-/// Two that only meet would come out in the order of whoever applies them.
-bool touch(const Edit& one, const Edit& other) {
-    return one.span.begin <= other.span.end && other.span.begin <= one.span.end;
-}
-
 /// The changes of one round, by the file's path.
 class Round {
   public:
+    /// Two edits that only meet would come out in the order of whoever applies them.
     [[nodiscard]] bool has_room_for(const Fix& fix) const {
         return std::ranges::none_of(fix.edits, [&](const Edit& edit) {
             const auto file = files_.find(edit.source->path());
-            return file != files_.end() && std::ranges::any_of(file->second.edits, [&](const Edit& other) {
-                       return touch(edit, other);
-                   });
+            if (file == files_.end()) return false;
+            const auto behind = file->second.taken.upper_bound(edit.span.end);
+            return behind != file->second.taken.begin() && std::prev(behind)->second >= edit.span.begin;
         });
     }
 
     void take(const Fix& fix, const Source& of_finding) {
         for (const Edit& edit : fix.edits) {
-            FileChange& file = files_.try_emplace(edit.source->path()).first->second;
-            file.source = edit.source;
-            file.edits.push_back(edit);
+            File& file = files_.try_emplace(edit.source->path()).first->second;
+            file.change.source = edit.source;
+            file.change.edits.push_back(edit);
+            file.taken.emplace(edit.span.begin, edit.span.end);
         }
-        if (const auto file = files_.find(of_finding.path()); file != files_.end()) ++file->second.findings;
+        if (const auto file = files_.find(of_finding.path()); file != files_.end())
+            ++file->second.change.findings;
     }
 
+    [[nodiscard]] bool is_empty() const { return files_.empty(); }
     [[nodiscard]] std::vector<FileChange> take_files() {
         std::vector<FileChange> files;
         for (auto& [path, file] : files_) {
-            std::ranges::sort(file.edits, {}, [](const Edit& edit) { return edit.span.begin; });
-            files.push_back(std::move(file));
+            std::ranges::sort(file.change.edits, {}, [](const Edit& edit) { return edit.span.begin; });
+            files.push_back(std::move(file.change));
         }
         return files;
     }
 
   private:
-    std::map<std::string_view, FileChange> files_;
+    struct File {
+        FileChange change;
+        std::map<Offset, Offset> taken; ///< begin and end of its edits, none of which touch
+    };
+    std::map<std::string_view, File> files_;
 };
+
+/// Whether the fix inserts what stands there already: it has been made, and did not help.
+bool is_made(const Fix& fix) {
+    return std::ranges::any_of(fix.edits, [](const Edit& edit) {
+        const std::string_view bytes = edit.source->bytes();
+        const std::string_view text =
+            std::string_view(edit.text).substr(0, edit.text.find_last_not_of("\r\n") + 1);
+        if (edit.span.length() > 0 || text.empty()) return false;
+        const std::string_view before = bytes.substr(0, edit.span.begin);
+        const std::size_t end = before.find_last_not_of("\r\n");
+        return bytes.substr(edit.span.begin).starts_with(text) ||
+               (end != std::string_view::npos && before.substr(0, end + 1).ends_with(text));
+    });
+}
+
+/// What the command itself raises speaks of comments that may be of use when the blocks can be read.
+bool waits_for_others(const Finding& finding) {
+    return std::holds_alternative<RaisedByCommand>(finding.rule->check);
+}
 
 } // namespace
 
@@ -59,12 +83,16 @@ const Fix* wanted_fix(const Finding& finding, FixesWanted wanted) {
 std::vector<FileChange> choose_fixes(std::span<const FilteredFinding> findings, FixesWanted wanted,
                                      const std::function<bool(std::string_view path)>& may_change) {
     Round round;
-    for (const FilteredFinding& filtered : findings) {
-        const Fix* fix = filtered.suppressed ? nullptr : wanted_fix(filtered.finding, wanted);
-        if (fix == nullptr || !round.has_room_for(*fix)) continue;
-        const bool may_all = std::ranges::all_of(
-            fix->edits, [&](const Edit& edit) { return may_change(edit.source->path()); });
-        if (may_all) round.take(*fix, *filtered.finding.source);
+    for (const bool at_last : {false, true}) {
+        if (!round.is_empty()) break;
+        for (const FilteredFinding& filtered : findings) {
+            const Fix* fix = filtered.suppressed ? nullptr : wanted_fix(filtered.finding, wanted);
+            if (fix == nullptr || waits_for_others(filtered.finding) != at_last) continue;
+            if (is_made(*fix) || !round.has_room_for(*fix)) continue;
+            const bool may_all = std::ranges::all_of(
+                fix->edits, [&](const Edit& edit) { return may_change(edit.source->path()); });
+            if (may_all) round.take(*fix, *filtered.finding.source);
+        }
     }
     return round.take_files();
 }

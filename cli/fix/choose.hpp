@@ -26,7 +26,8 @@ struct FileChange {
 };
 
 /// The first fix of each finding that counts and is wanted, in the order of reports. One that touches an
-/// earlier one, or a file that may not be changed, waits whole.
+/// earlier one, or a file that may not be changed, waits whole; one that inserts what stands there already is
+/// left out. Comments that allow nothing go when nothing else is left to fix.
 [[nodiscard]] std::vector<FileChange>
 choose_fixes(std::span<const FilteredFinding> findings, FixesWanted wanted,
              const std::function<bool(std::string_view path)>& may_change);

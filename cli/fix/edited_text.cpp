@@ -2,9 +2,9 @@
 #include "cli/fix/edited_text.hpp"
 
 #include "analyzer/source/double_byte.hpp"
+#include "analyzer/source/encode.hpp"
+#include "analyzer/source/line_index.hpp"
 
-#include <algorithm>
-#include <optional>
 #include <string_view>
 
 namespace maclint::cli {
@@ -12,13 +12,6 @@ namespace {
 
 bool is_double_byte(Encoding encoding) {
     return encoding == Encoding::shift_jis || encoding == Encoding::gbk;
-}
-
-/// Bytes of a character in UTF-8.
-std::size_t utf8_length(char32_t character) {
-    if (character < 0x80) return 1;
-    if (character < 0x800) return 2;
-    return character < 0x10000 ? 3 : 4;
 }
 
 /// Where offsets, asked for from small to large, are in the stored file.
@@ -45,34 +38,6 @@ class StoredPlaces {
     std::size_t read_ = 0;  ///< bytes of UTF-8 before it
 };
 
-/// The byte of Windows-1252 that means the character.
-std::optional<char> in_windows_1252(char32_t character) {
-    constexpr int bytes = 256;
-    for (int byte = 0; byte < bytes; ++byte) {
-        const char one = static_cast<char>(byte);
-        if (first_character(to_utf8({&one, 1}, Encoding::windows_1252)).value == character) return one;
-    }
-    return std::nullopt;
-}
-
-std::variant<std::string, NotEditable> encoded(std::string_view utf8, Encoding encoding) {
-    if (encoding == Encoding::utf8) return std::string(utf8);
-    std::string bytes;
-    while (!utf8.empty()) {
-        const Character next = first_character(utf8);
-        const bool is_ascii = next.value < 0x80;
-        const auto byte = is_ascii                             ? std::optional(static_cast<char>(next.value))
-                          : encoding == Encoding::windows_1252 ? in_windows_1252(next.value)
-                                                               : std::nullopt;
-        if (!byte)
-            return NotEditable{"'" + std::string(utf8.substr(0, next.length)) + "' cannot be written in " +
-                               std::string(name_of(encoding))};
-        bytes += *byte;
-        utf8.remove_prefix(next.length);
-    }
-    return bytes;
-}
-
 std::string with_line_ends(std::string_view text, std::string_view line_end) {
     std::string result;
     for (const char c : text)
@@ -85,8 +50,9 @@ std::string with_line_ends(std::string_view text, std::string_view line_end) {
 
 /// Of the file's first line.
 std::string_view line_end_of(std::string_view text) {
-    const auto end = text.find('\n');
-    return end != std::string_view::npos && end > 0 && text[end - 1] == '\r' ? "\r\n" : "\n";
+    const std::size_t end = find_line_end(text, 0);
+    if (end == text.size()) return "\n";
+    return text.substr(end, after_line_end(text, static_cast<Offset>(end)) - end);
 }
 
 } // namespace
@@ -100,9 +66,11 @@ std::variant<std::string, NotEditable> edited_text(const Source& source, std::sp
     for (const Edit& edit : edits) {
         const std::size_t begin = places.at(edit.span.begin);
         text += stored.substr(copied, begin - copied);
-        auto bytes = encoded(with_line_ends(edit.text, line_end), source.stored_encoding());
-        if (auto* refused = std::get_if<NotEditable>(&bytes)) return std::move(*refused);
-        text += std::get<std::string>(bytes);
+        const auto bytes = encode(with_line_ends(edit.text, line_end), source.stored_encoding());
+        if (!bytes)
+            return NotEditable{"'" + edit.text + "' cannot be written in " +
+                               std::string(name_of(source.stored_encoding()))};
+        text += *bytes;
         copied = places.at(edit.span.end);
     }
     text += stored.substr(copied);

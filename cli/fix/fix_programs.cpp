@@ -4,9 +4,9 @@
 #include "cli/fix/edited_text.hpp"
 #include "cli/suggest.hpp"
 
-#include <algorithm>
+#include <cstddef>
+#include <functional>
 #include <map>
-#include <set>
 #include <string_view>
 #include <utility>
 #include <variant>
@@ -24,8 +24,10 @@ class Rounds {
         , now_(snapshot)
         , wanted_(wanted)
         , analyse_(analyse) {
-        for (const SnapshotFile& file : snapshot.files)
-            if (file.input.asked && !file.input.standard_input) may_change_.insert(file.input.path);
+        for (std::size_t i = 0; i < snapshot.files.size(); ++i) {
+            const InputFile& input = snapshot.files[i].input;
+            if (input.asked && !input.standard_input) may_change_.emplace(input.path, i);
+        }
     }
 
     [[nodiscard]] FixedPrograms run() {
@@ -34,7 +36,7 @@ class Rounds {
             std::vector<FileChange> changes = choose_fixes(
                 result.findings, wanted_, [&](std::string_view path) { return may_change_.contains(path); });
             if (changes.empty()) break;
-            if (round == most_rounds)
+            if (round >= most_rounds)
                 for (const FileChange& change : changes)
                     give_up(change.source->path(), "its fixes undo one another. Correct it by hand.");
             else
@@ -45,11 +47,6 @@ class Rounds {
     }
 
   private:
-    SnapshotFile& file_of(Snapshot& snapshot, std::string_view path) const {
-        return *std::ranges::find_if(snapshot.files,
-                                     [&](const SnapshotFile& file) { return file.input.path == path; });
-    }
-
     void apply(const FileChange& change) {
         const std::string path = change.source->path();
         auto text = edited_text(*change.source, change.edits);
@@ -58,15 +55,15 @@ class Rounds {
         auto [fixed, is_new] = fixed_.try_emplace(path, FixedFile{path, change.source, {}, 0});
         fixed->second.after = std::move(std::get<std::string>(text));
         fixed->second.findings += change.findings;
-        file_of(now_, path).text =
+        now_.files[may_change_.find(path)->second].text =
             Source::from_bytes(path, fixed->second.after).read_as(change.source->stored_encoding());
     }
 
     void give_up(const std::string& path, const std::string& why) {
-        may_change_.erase(path);
+        const auto file = may_change_.find(path);
+        now_.files[file->second].text = original_.files[file->second].text;
+        may_change_.erase(file);
         fixed_.erase(path);
-        for (const SnapshotFile& file : original_.files)
-            if (file.input.path == path) file_of(now_, path).text = file.text;
         notices_.push_back({NoticeKind::left_out, path, "it is left as it was: " + why});
     }
 
@@ -81,7 +78,7 @@ class Rounds {
     Snapshot now_;
     FixesWanted wanted_;
     const Analyse& analyse_;
-    std::set<std::string, std::less<>> may_change_; ///< paths
+    std::map<std::string, std::size_t, std::less<>> may_change_; ///< places in the snapshot, by path
     std::map<std::string, FixedFile> fixed_;
     std::vector<Notice> notices_;
 };

@@ -1,10 +1,12 @@
 //! Three lines around each change, as everybody writes it.
-#include "cli/fix/write_fixed.hpp"
+#include "cli/fix/unified_difference.hpp"
+
 #include "cli/gate/line_difference.hpp"
 
 #include <algorithm>
 #include <cstddef>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace maclint::cli {
@@ -42,7 +44,9 @@ class Hunks {
     Hunks(std::string_view before, std::string_view after)
         : before_(lines_of(before))
         , after_(lines_of(after))
-        , differences_(differences(before, after)) {}
+        , differences_(differences(before, after)) {
+        find_other_ends();
+    }
 
     [[nodiscard]] std::string text() const {
         std::string out;
@@ -58,6 +62,24 @@ class Hunks {
     }
 
   private:
+    /// Lines that differ in their ends alone, as the last one without a line feed: who compares lines takes
+    /// them for the same.
+    void find_other_ends() {
+        std::vector<LineDifference> all;
+        std::uint32_t before = 0, after = 0;
+        const auto size = static_cast<std::uint32_t>(before_.size());
+        for (std::size_t i = 0; i <= differences_.size(); ++i) {
+            const std::uint32_t end = i < differences_.size() ? differences_[i].before : size;
+            for (; before < end; ++before, ++after)
+                if (before_[before] != after_[after]) all.push_back({before, before + 1, after, after + 1});
+            if (i == differences_.size()) break;
+            all.push_back(differences_[i]);
+            before = differences_[i].before_end;
+            after = differences_[i].after_end;
+        }
+        differences_ = std::move(all);
+    }
+
     void add_hunk(std::string& out, std::size_t first, std::size_t last) const {
         const LineDifference &one = differences_[first], &other = differences_[last];
         const std::uint32_t lead = std::min(around, one.before);
@@ -85,7 +107,9 @@ class Hunks {
 std::string unified_difference(const std::vector<FixedFile>& files) {
     std::string out;
     for (const FixedFile& file : files) {
-        out += "--- " + file.path + "\n+++ " + file.path + "\n";
+        // A name with blanks ends with a tab, as git writes it.
+        const std::string end = file.path.find(' ') == std::string::npos ? "\n" : "\t\n";
+        out += "--- a/" + file.path + end + "+++ b/" + file.path + end;
         out += Hunks(file.before->stored_bytes(), file.after).text();
     }
     return out;

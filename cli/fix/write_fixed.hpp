@@ -1,4 +1,4 @@
-//! Fixed programs go to the disk, or are shown as a difference.
+//! Fixed programs go to the disk.
 #pragma once
 
 #include "cli/fix/fix_programs.hpp"
@@ -14,8 +14,5 @@ namespace maclint::cli {
 /// were named) leads out to. Those stay as they were and are taken out of `files`.
 [[nodiscard]] std::vector<Notice> write_fixed(std::vector<FixedFile>& files,
                                               const std::vector<std::string>& paths);
-
-/// As `diff -u` and `git apply` know it, in the bytes of the files.
-[[nodiscard]] std::string unified_difference(const std::vector<FixedFile>& files);
 
 } // namespace maclint::cli

@@ -200,6 +200,8 @@ void read_fixes(const CheckWords& words, CheckRequest& request) {
     if (words.prune_baseline) exclude(option, "--prune-baseline", "fix first, prune then");
     if (words.diff && (!words.format.empty() || !words.outputs.empty()))
         refuse("--diff prints a difference and no report. Leave --format and --output out.");
+    if (words.diff && words.statistics) exclude("--diff", "--statistics", "it prints no report");
+    if (words.diff && words.show_withheld) exclude("--diff", "--show-withheld", "it prints no report");
     if (std::ranges::find(request.paths, "-") != request.paths.end())
         refuse(std::string(option) + " does not take standard input. Name the file.");
     request.fix_use = words.fix ? FixUse::written : FixUse::shown;

@@ -111,8 +111,10 @@ void check(const ProgramAnalysis& analysis, Reporter& reporter) {
                              std::to_string(*written / after_four_digits), std::to_string(*written)});
         const Word* word = word_with_number(program, call);
         const std::string text(program.slice(word->span)); // P30100
-        if (message == "packed" && text.size() > 1 + figures)
-            offer_text(finding, Applicability::safe, word->span,
+        const bool is_plain = text.find_first_not_of("0123456789", 1) == std::string::npos;
+        // Another control takes all of it for the number of the program.
+        if (message == "packed" && is_plain && text.size() > 1 + figures)
+            offer_text(finding, Applicability::unsafe, word->span,
                        text.substr(0, 1) + text.substr(text.size() - figures) + " L" +
                            std::to_string(*written / after_four_digits));
     }

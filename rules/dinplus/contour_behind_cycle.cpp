@@ -1,6 +1,4 @@
-//! DIN246: a contour behind a cycle that nothing ends, or that is not there; G80 without one.
-#include "analyzer/program/numbered_blocks.hpp"
-#include "analyzer/program/tables.hpp"
+//! DIN246: a contour behind a cycle that nothing ends; G80 without one.
 #include "analyzer/program/word_lookup.hpp"
 #include "analyzer/queries/structure/text_order.hpp"
 #include "analyzer/workspace/program_analysis.hpp"
@@ -21,7 +19,7 @@ void check(const ProgramAnalysis& analysis, Reporter& reporter);
 extern const Rule contour_behind_cycle{
     .code = "DIN246",
     .name = "contour-behind-cycle",
-    .summary = "A contour behind a cycle is not there or not ended, or G80 ends none",
+    .summary = "A contour behind a cycle is not ended, or G80 ends none",
     .why = "A cycle without NS or ID takes the contour from the blocks behind it, up to G80: without G80 it "
            "takes moves of the tool for a part of the contour.",
     .severity = Severity::warning,
@@ -31,8 +29,6 @@ extern const Rule contour_behind_cycle{
         {{"unclosed",
           "Contour without its end: '{0}' follows the contour of '{1}' on line {2}, and no G80 has ended it.",
           "Write G80 behind the contour."},
-         {"empty", "Cycle without a contour: '{0}' names none, and none stands behind it.",
-          "Give NS and NE, or write the contour behind it."},
          {"surplus", "G80 without a contour: '{0}' has it by name or number, and nothing is to be ended.",
           "Delete G80."}},
     .bad = {{"dinplus", R"nc(
@@ -99,9 +95,9 @@ struct Walk {
         const bool stops = number_of(block.words, "M") == 30 && block.words.size() == 1;
         if (ends && has_own_contour && block.words.size() == 1) tell("surplus", block.block.span);
         const bool goes_on = is_one_of(code, contour) || (find_word(block.words, "G") == nullptr && !stops);
-        if (open && !ends && (!block.breaks || stops) && !goes_on)
-            tell(elements < 2 ? "empty" : "unclosed", elements < 2 ? *open : block.block.span);
-        else if (open && !ends && !block.breaks) {
+        if (open && !ends && (!block.breaks || stops) && !goes_on) {
+            if (elements > 0) tell("unclosed", block.block.span); // none at all is told at the cycle
+        } else if (open && !ends && !block.breaks) {
             elements += static_cast<int>(is_one_of(code, contour));
             return;
         }
@@ -126,8 +122,8 @@ void check(const ProgramAnalysis& analysis, Reporter& reporter) {
     for (const Section& section : analysis.program().sections) {
         if (section.executed != Section::Executed::when_reached) continue;
         Walk walk{analysis, reporter};
-        for (const queries::TextBlock& block : queries::blocks_in_order(analysis.program(), section))
-            walk.look_at(block);
+        if (const auto blocks = queries::blocks_in_order(analysis.program(), section))
+            for (const queries::TextBlock& block : *blocks) walk.look_at(block);
     }
 }
 

@@ -1,4 +1,5 @@
 //! DIN108: G99 chooses a contour group that the program does not describe.
+#include "analyzer/program/numbered_blocks.hpp"
 #include "analyzer/program/section_blocks.hpp"
 #include "analyzer/program/word_lookup.hpp"
 #include "analyzer/queries/structure/sections.hpp"
@@ -58,8 +59,12 @@ namespace {
 void check(const ProgramAnalysis& analysis, Reporter& reporter) {
     constexpr double choice = 99;
     const Program& program = analysis.program();
+    constexpr double most_groups = 4; // [SEED-003:2827]; what is beyond is told by the value's row
     std::set<double> groups;
     for (const Section& section : program.sections) {
+        const SectionKind* kind = kind_of(*program.control, section);
+        if (groups.empty() && kind != nullptr && kind->role == SectionKind::Role::contour)
+            return; // a contour of no group
         if (section.kind != "CONTOUR") continue;
         const auto number = number_of(queries::heading_words(program, section), "Q");
         if (!number) return;
@@ -68,7 +73,9 @@ void check(const ProgramAnalysis& analysis, Reporter& reporter) {
     if (groups.empty()) return;
     for_each_running_block_with(program, "Q", [&](const BlockView& view, std::span<const Word> words) {
         const auto group = number_of(words, "Q");
-        if (number_of(words, "G") != choice || !group || groups.contains(*group)) return;
+        if (number_of(words, "G") != choice || !group || *group < 1 || *group > most_groups ||
+            groups.contains(*group))
+            return;
         reporter.report({analysis, view.span}, view.span, "plain",
                         {quoted(program, view.span), number_word(*group)});
     });

@@ -74,7 +74,7 @@ namespace {
 /// The word with the name that the contour has.
 std::string name_replaced(const ProgramFile& file, const queries::ContourName& wanted,
                           std::string_view name) {
-    std::string word(file.source->bytes(wanted.span));
+    std::string word = file.source->to_utf8(file.source->bytes(wanted.span));
     if (const auto at = word.find(wanted.name); at != std::string::npos)
         word.replace(at, wanted.name.size(), name);
     return word;
@@ -90,12 +90,14 @@ bool has_auxiliary_contour(const ProgramFile& file) {
 
 void check(const ProgramFile& file, Reporter& reporter) {
     const queries::ContourNames names = queries::contour_names(file);
+    const bool has_unnamed = has_auxiliary_contour(file);
     // A program that describes no contour may be a part of one that does.
-    if (!names.is_complete || (names.described.empty() && !has_auxiliary_contour(file))) return;
+    if (!names.is_complete || (names.described.empty() && !has_unnamed)) return;
     for (const queries::ContourName& wanted : names.wanted) {
         if (std::ranges::find(names.described, wanted.name, &queries::ContourName::name) !=
             names.described.end())
             continue;
+        if (names.described.empty() && wanted.is_blank) continue; // an unnamed contour is no blank
         const auto near = std::ranges::find_if(names.described, [&](const queries::ContourName& one) {
             return queries::squeezed(one.name) == queries::squeezed(wanted.name);
         });

@@ -71,7 +71,10 @@ void check(const ProgramFile& file, Reporter& reporter) {
     for (const Program& program : file.programs) // groups may have contours of the same names
         for (const Section& section : program.sections)
             if (section.kind == "CONTOUR") return;
-    const queries::ContourNames names = queries::contour_names(file);
+    queries::ContourNames names = queries::contour_names(file);
+    if (names.has_branches) return;
+    std::erase_if(names.described, &queries::ContourName::is_blank);
+    std::erase_if(names.wanted, &queries::ContourName::is_blank);
     for (auto one = names.described.begin(); one != names.described.end(); ++one) {
         const auto first = std::ranges::find(names.described, one->name, &queries::ContourName::name);
         const auto wanted = std::ranges::find(names.wanted, one->name, &queries::ContourName::name);

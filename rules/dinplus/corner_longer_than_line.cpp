@@ -5,6 +5,7 @@
 #include "rules/rule.hpp"
 
 #include <cmath>
+#include <numbers>
 #include <optional>
 
 namespace maclint::rules {
@@ -59,11 +60,13 @@ MACHINING
 N10 M30
 END
 )nc"}},
-    .sources = {"SEED-003:10616"},
+    .sources = {"SEED-003:10606-10611"},
     .check = &check,
 };
 
 namespace {
+
+constexpr double rounding = 0.001; // mm
 
 /// How long a straight element is; nothing where nobody can say.
 std::optional<double> length_of(const queries::OutlineElement& element) {
@@ -78,23 +81,25 @@ std::optional<double> taken_by(const queries::OutlineElement& before, const quer
     if (!length_of(before) || !length_of(behind)) return std::nullopt;
     const double turn = std::atan2(behind.to->x - behind.from->x, behind.to->z - behind.from->z) -
                         std::atan2(before.to->x - before.from->x, before.to->z - before.from->z);
+    constexpr double back = 0.02; // radians short of turning back, where no rounding has room
+    if (std::abs(std::abs(std::remainder(turn, 2 * std::numbers::pi)) - std::numbers::pi) < back)
+        return std::nullopt;
     return *before.corner * std::abs(std::tan(turn / 2));
 }
 
-/// The line behind the corner of an element: that of the last one lies where a closed contour begins, that of
-/// an open one has none but its own.
+/// The line behind the corner of an element: that of the last one of a closed contour is the first, which
+/// follows the start point; that of an open one has none but its own.
 const queries::OutlineElement& behind_corner(const queries::Outline& outline, std::size_t of) {
     const auto& elements = outline.elements;
     if (of + 1 < elements.size()) return elements[of + 1];
-    const auto &end = elements.back().to, &begin = elements.front().from;
-    const bool closes = end && begin && std::hypot(end->x - begin->x, end->z - begin->z) < 0.001; // mm
-    return closes ? elements.front() : elements.back();
+    const auto &end = elements.back().to, &start = elements.front().to;
+    const bool closes = elements.size() > 2 && end && start && queries::distance(*end, *start) < rounding;
+    return closes ? elements[1] : elements.back();
 }
 
 double rounded(double length) { return std::round(length * 1000) / 1000; }
 
 void check(const ProgramAnalysis& analysis, Reporter& reporter) {
-    constexpr double rounding = 0.001; // mm
     for (const queries::Outline& outline : queries::turning_contours(analysis.program())) {
         for (std::size_t i = 0; i < outline.elements.size(); ++i) {
             const queries::OutlineElement& element = outline.elements[i];

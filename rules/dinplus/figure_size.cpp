@@ -79,7 +79,7 @@ void check_figure(const ProgramAnalysis& analysis, int figure, Span span, std::s
                         {quoted(analysis.program(), span), number_word(first), number_word(second)});
     };
     if (figure == slot && k && b && std::abs(*k) < std::abs(*b)) tell("slot", *k, *b);
-    if ((figure == slot_left || figure == slot_right) && r && b && *b > 2 * std::abs(*r))
+    if ((figure == slot_left || figure == slot_right) && r && *r != 0 && b && *b > 2 * std::abs(*r))
         tell("bent", *r, *b);
     if (figure == rectangle && k && b && r) {
         const double side = std::min(std::abs(*k), std::abs(*b));

@@ -56,7 +56,7 @@ MACHINING
 N10 M30
 END
 )nc"}},
-    .sources = {"SEED-003:11866-11880"},
+    .sources = {"SEED-003:11866-11887"},
     .check = &check,
 };
 
@@ -69,7 +69,8 @@ bool is_one_of(double code, const std::array<double, 4>& codes) {
     return std::ranges::find(codes, code) != codes.end();
 }
 
-/// How far two figures of the pattern in a row are apart; nothing where it does not stand there.
+/// How far two figures of the pattern in a row are apart, by geometry from the words of the manual; nothing
+/// where it does not stand there.
 std::optional<double> step_of(double code, std::span<const Word> words) {
     if (is_one_of(code, circles)) {
         const auto count = number_of(words, "Q"), across = number_of(words, "K");
@@ -80,8 +81,9 @@ std::optional<double> step_of(double code, std::span<const Word> words) {
     const bool lateral = code == 481, face = code == 401 || code == 471;
     if (!lateral && !face) return std::nullopt;
     const Word *first = find_word(words, lateral ? "K" : "I"), *second = find_word(words, "J");
-    const auto a = number_of(first), b = number_of(second);
-    if (!a || !b || !first->incremental || !second->incremental) return std::nullopt;
+    const auto a = number_of(first), b = number_of(second), holes_in_row = number_of(words, "Q");
+    if (!a || !b || !holes_in_row || *holes_in_row < 2 || !first->incremental || !second->incremental)
+        return std::nullopt;
     return std::hypot(*a, *b);
 }
 

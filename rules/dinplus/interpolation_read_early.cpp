@@ -1,15 +1,15 @@
 //! DIN317: a value of the interpolation that nothing has taken over before.
+#include "analyzer/program/section_blocks.hpp"
 #include "analyzer/program/word_lookup.hpp"
+#include "analyzer/queries/machine/machine_reads.hpp"
 #include "analyzer/queries/structure/text_order.hpp"
 #include "analyzer/workspace/program_analysis.hpp"
 #include "rules/path.hpp"
 #include "rules/rule.hpp"
 
 #include <algorithm>
-#include <cctype>
 #include <optional>
 #include <string>
-#include <string_view>
 #include <vector>
 
 namespace maclint::rules {
@@ -48,26 +48,16 @@ N4 #l7=#a1(Z,1)
 N5 M30
 END
 )nc"}},
-    .sources = {"SEED-003:18078-18115", "SEED-003:18133-18141", "SEED-003:22318-22325"},
+    .sources = {"SEED-003:18081-18118", "SEED-003:18135-18141", "SEED-003:22318-22325"},
     .check = &check,
 };
 
 namespace {
 
-/// The number of `#a1(Z,1)`; nothing of another expression.
-std::optional<int> number_in(std::string_view text) {
-    if (text.size() < 5 || text[0] != '#' || std::tolower(static_cast<unsigned char>(text[1])) != 'a')
-        return std::nullopt;
-    std::size_t at = 2;
-    int number = 0;
-    while (at < text.size() && at < 5 && std::isdigit(static_cast<unsigned char>(text[at])) != 0)
-        number = number * 10 + (text[at++] - '0');
-    if (at == 2 || at == text.size() || text[at] != '(') return std::nullopt;
-    return number;
-}
-
 /// Whether the code takes the value over: G904 all, G901 to G903 their own, G912 where the probe touched.
+/// G905 the angle of the C axis.
 bool fills(double code, int number) {
+    if (number == 0 && code == 905) return true;
     return code == 904 || (number == 9 ? code == 912 : code >= 901 && code <= 903);
 }
 
@@ -75,11 +65,15 @@ void look_at(const ProgramAnalysis& analysis, Span read, int number,
              const std::vector<queries::TextBlock>& blocks, Reporter& reporter) {
     const Program& program = analysis.program();
     const queries::TextBlock* filled = nullptr; // with nothing between that may stop the reading ahead
+    // In a loop what stands behind the read comes before it, too.
+    const bool is_repeated = analysis.regions().loop_around(program, read.begin).has_value();
     bool may_be_filled = false;
     for (const queries::TextBlock& block : blocks) {
-        if (block.block.span.begin >= read.begin) break;
         const auto code = block.code();
-        if (code && fills(*code, number)) {
+        if (block.block.span.begin >= read.begin) {
+            if (!is_repeated) break;
+            may_be_filled |= code && fills(*code, number);
+        } else if (code && fills(*code, number)) {
             may_be_filled = true;
             filled = &block;
         } else if (block.block.span.end <= read.begin && (block.breaks || (code && *code > 900))) {
@@ -102,18 +96,14 @@ void check(const ProgramAnalysis& analysis, Reporter& reporter) {
                std::holds_alternative<UnreadableBlock>(effect.what);
     });
     if (!analysis.is_main() || calls) return; // another program may take the values over
-    std::vector<Span> told;
-    for (const Section& section : program.sections) {
-        if (section.executed != Section::Executed::when_reached) continue;
-        std::optional<std::vector<queries::TextBlock>> blocks;
-        for (const Expression& expression : program.expressions) {
-            const auto number = number_in(program.slice(expression.span));
-            const bool inside = expression.span.begin >= section.heading.begin;
-            if (!number || !inside || std::ranges::find(told, expression.span) != told.end()) continue;
-            if (!blocks) blocks = queries::blocks_in_order(program, section);
-            told.push_back(expression.span);
-            look_at(analysis, expression.span, *number, *blocks, reporter);
-        }
+    const Section* at = nullptr;
+    std::optional<std::vector<queries::TextBlock>> blocks; // of that section
+    for (const queries::ControlRead& read : queries::reads_of_control(program, "#a")) {
+        const Section* section = section_at(program, read.span.begin);
+        if (section == nullptr || section->executed != Section::Executed::when_reached) continue;
+        if (section != at) blocks = queries::blocks_in_order(program, *section);
+        at = section;
+        if (blocks) look_at(analysis, read.span, read.number, *blocks, reporter);
     }
 }
 

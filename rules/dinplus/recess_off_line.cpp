@@ -52,7 +52,7 @@ MACHINING
 N10 M30
 END
 )nc"}},
-    .sources = {"SEED-003:10772-10790", "SEED-003:10815-10845", "SEED-003:10876-10900", "SEED-003:11124"},
+    .sources = {"SEED-003:10772-10790", "SEED-003:10815-10845", "SEED-003:10876-10900"},
     .check = &check,
 };
 
@@ -108,13 +108,10 @@ void check(const ProgramAnalysis& analysis, Reporter& reporter) {
     for (const queries::Outline& outline : queries::turning_contours(analysis.program())) {
         for_each_block_of(
             analysis.program(), *outline.section, [&](const BlockView& block, std::span<const Word> words) {
-                const auto behind = std::ranges::upper_bound(
-                    outline.elements, block.span.begin, {},
-                    [](const queries::OutlineElement& element) { return element.block.begin; });
-                if (behind == outline.elements.begin() || block.skip_levels != 0) return;
-                const queries::OutlineElement& line = *std::prev(behind);
-                if (line.is_arc || !line.from || !line.to) return;
-                const LineCheck on{analysis, line, block.span, reporter};
+                const queries::OutlineElement* line = outline.before(block.span.begin);
+                if (line == nullptr || block.skip_levels != 0) return;
+                if (line->is_arc || !line->from || !line->to) return;
+                const LineCheck on{analysis, *line, block.span, reporter};
                 const auto code = number_of(words, "G"), z = number_of(words, "Z"), k = number_of(words, "K");
                 if (code == 22 && on.is_oblique()) {
                     on.tell("oblique", {});
@@ -123,7 +120,7 @@ void check(const ProgramAnalysis& analysis, Reporter& reporter) {
                         on.at(end_of(words, z), false);
                 } else if (code == 23) {
                     if (on.at(z, false)) on.takes(k);
-                } else if (code == 24 || code == 37) {
+                } else if (code == 24) {
                     on.takes(k);
                 }
             });

@@ -5,6 +5,7 @@
 #include "rules/path.hpp"
 #include "rules/rule.hpp"
 
+#include <algorithm>
 #include <optional>
 #include <span>
 
@@ -51,10 +52,23 @@ END
 
 namespace {
 
+/// Whether a branch or a subprogram decides what the section describes.
+bool has_branches(const Program& program, const Section& section) {
+    bool found = false;
+    for_each_block_with_effects(program, section.items, [&](const BlockView& block) {
+        found |= std::ranges::any_of(program.effects_in(block.effects), [](const Effect& effect) {
+            return std::holds_alternative<Call>(effect.what) ||
+                   std::holds_alternative<RegionMark>(effect.what) ||
+                   std::holds_alternative<UnreadableBlock>(effect.what);
+        });
+    });
+    return found;
+}
+
 void check(const ProgramAnalysis& analysis, Reporter& reporter) {
     const Program& program = analysis.program();
     for (const Section& section : program.sections) {
-        if (section.kind != "AUXIL_CONTOUR") continue;
+        if (section.kind != "AUXIL_CONTOUR" || has_branches(program, section)) continue;
         std::optional<Offset> first; // start point
         for_each_block_of(program, section, [&](const BlockView& block, std::span<const Word> words) {
             if (number_of(words, "G") != 0 || block.skip_levels != 0) return;

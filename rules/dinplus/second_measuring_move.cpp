@@ -1,4 +1,4 @@
-//! DIN951: under the monitoring of a measuring move stands no move, or more than one.
+//! DIN951: under the monitoring of a measuring move stands more than one.
 #include "analyzer/program/word_lookup.hpp"
 #include "analyzer/queries/structure/text_order.hpp"
 #include "analyzer/workspace/program_analysis.hpp"
@@ -9,6 +9,7 @@
 #include <array>
 #include <optional>
 #include <string>
+#include <string_view>
 
 namespace maclint::rules {
 
@@ -19,16 +20,14 @@ void check(const ProgramAnalysis& analysis, Reporter& reporter);
 extern const Rule second_measuring_move{
     .code = "DIN951",
     .name = "second-measuring-move",
-    .summary = "Under the monitoring of a measuring move stands no feed move, or more than one",
+    .summary = "Under the monitoring of a measuring move stands more than one feed move",
     .why = "G911 watches a single feed move: behind it the probe runs into the part unwatched.",
     .severity = Severity::error,
     .precision = Precision::high,
     .needs = {Capability::sections},
     .messages = {{"second",
                   "Second move under G911: '{0}' follows the feed move on line {1}, and only one is watched.",
-                  "Write it behind G914."},
-                 {"none", "No move under G911: '{0}' ends the monitoring before anything has moved.",
-                  "Write the measuring move in front of it."}},
+                  "Write it behind G914."}},
     .bad = {{"dinplus", R"nc(
 MACHINING
 N1 T5
@@ -62,31 +61,48 @@ END
 
 namespace {
 
-constexpr double on = 911, off = 914, end = 913;
+constexpr double on = 911, off = 914, end = 913, rapid = 0;
 constexpr std::array feed_moves = {1.0, 2.0, 3.0, 12.0, 13.0, 101.0, 102.0, 103.0, 111.0, 112.0, 113.0};
+constexpr std::array<std::string_view, 5> axes = {"X", "Y", "Z", "C", "XK"};
+
+/// The code by which moves go on behind the block: its own, or the one before.
+std::optional<double> motion_of(const queries::TextBlock& block, std::optional<double> before) {
+    for (const Word& word : block.words) {
+        const auto code = word.address == "G" ? number_of(&word) : std::nullopt;
+        const bool is_feed = code && std::ranges::find(feed_moves, *code) != feed_moves.end();
+        if (is_feed || code == rapid) before = code;
+    }
+    return before;
+}
+
+bool moves(const queries::TextBlock& block) {
+    return std::ranges::any_of(
+        axes, [&](std::string_view axis) { return find_word(block.words, axis) != nullptr; });
+}
 
 void check_section(const ProgramAnalysis& analysis, const Section& section, Reporter& reporter) {
     const Program& program = analysis.program();
     bool watches = false;
     std::optional<Offset> move;
-    for (const queries::TextBlock& block : queries::blocks_in_order(program, section)) {
+    std::optional<double> motion;
+    const auto blocks = queries::blocks_in_order(program, section);
+    if (!blocks) return;
+    for (const queries::TextBlock& block : *blocks) {
         const auto code = block.code();
         const Span span = block.block.span;
-        if (block.breaks || code == end) {
+        motion = block.breaks ? std::nullopt : motion_of(block, motion);
+        if (block.breaks || code == end || code == off) {
             watches = false;
         } else if (code == on) {
             watches = true;
             move.reset();
-        } else if (code == off) {
-            if (watches && !move) reporter.report({analysis, span}, span, "none", {quoted(program, span)});
-            watches = false;
-        } else if (watches && code && std::ranges::find(feed_moves, *code) != feed_moves.end()) {
-            if (move)
-                reporter.report({analysis, span}, span, "second",
-                                {quoted(program, span), line_number(analysis.file(), *move)});
-            watches = !move;
-            move = span.begin;
         }
+        if (!watches || !motion || *motion == rapid || !moves(block)) continue;
+        if (move)
+            reporter.report({analysis, span}, span, "second",
+                            {quoted(program, span), line_number(analysis.file(), *move)});
+        watches = !move;
+        move = span.begin;
     }
 }
 

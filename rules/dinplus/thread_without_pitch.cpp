@@ -69,7 +69,7 @@ N13 G31 NS4 NE4 B5 P2 V0 H1
 N14 M30
 END
 )nc"}},
-    .sources = {"SEED-003:14596", "SEED-003:14690", "SEED-003:14700"},
+    .sources = {"SEED-003:14596", "SEED-003:14690", "SEED-003:14702"},
     .check = &check,
 };
 
@@ -85,7 +85,9 @@ bool may_hold_thread(const NumberedBlock& first, double last) {
     const Section* section = section_at(*first.program, first.number_span.begin);
     if (section == nullptr) return true;
     bool inside = false, at_last = false;
-    for (const queries::TextBlock& block : queries::blocks_in_order(*first.program, *section)) {
+    const auto blocks = queries::blocks_in_order(*first.program, *section);
+    if (!blocks) return true;
+    for (const queries::TextBlock& block : *blocks) {
         const auto code = block.code();
         inside |= block.block.number == first.number;
         if (!inside) continue;

@@ -58,20 +58,30 @@ END
 
 namespace {
 
+constexpr double rounding = 0.001; // mm
+
+bool is_known(const queries::OutlineElement& element) {
+    return !element.is_arc && element.from && element.to;
+}
+bool runs_along_x(const queries::OutlineElement& line) {
+    return std::abs(line.from->z - line.to->z) < rounding;
+}
+bool is_oblique(const queries::OutlineElement& line) {
+    return !runs_along_x(line) && std::abs(line.from->x - line.to->x) >= rounding;
+}
+
 void check(const ProgramAnalysis& analysis, Reporter& reporter) {
-    constexpr double undercut = 25, rounding = 0.001; // mm
+    constexpr double undercut = 25;
     const Program& program = analysis.program();
     for (const queries::Outline& outline : queries::turning_contours(program))
         for_each_block_of(program, *outline.section,
                           [&](const BlockView& block, std::span<const Word> words) {
                               if (number_of(words, "G") != undercut || block.skip_levels != 0) return;
-                              const auto next = std::ranges::upper_bound(
-                                  outline.elements, block.span.begin, {},
-                                  [](const queries::OutlineElement& element) { return element.block.begin; });
-                              if (next == outline.elements.end() || next->is_arc || !next->from || !next->to)
-                                  return;
-                              if (std::abs(next->from->x - next->to->x) < rounding ||
-                                  std::abs(next->from->z - next->to->z) < rounding)
+                              // The shoulder may be the line in front of it.
+                              const queries::OutlineElement* before = outline.before(block.span.begin);
+                              const queries::OutlineElement* next = outline.behind(block.span.begin);
+                              if (before == nullptr || next == nullptr || !is_known(*before) ||
+                                  !is_known(*next) || runs_along_x(*before) || !is_oblique(*next))
                                   return;
                               reporter.report({analysis, block.span}, block.span, "plain",
                                               {quoted(program, block.span), quoted(program, next->block)});

@@ -2,6 +2,7 @@
 #include "rules/flow/unreached_words.hpp"
 
 #include "analyzer/program/model.hpp"
+#include "analyzer/program/numbered_blocks.hpp"
 #include "analyzer/program/tables.hpp"
 #include "rules/path.hpp"
 
@@ -11,9 +12,11 @@
 namespace maclint::rules {
 namespace {
 
-/// Whether nobody begins in the middle of the program: in a language without jumps it is one piece.
+/// Whether nobody begins in the middle of the program: in a language without jumps it is one piece, as long
+/// as it does not begin again at a block.
 bool begins_at_its_head(const ProgramAnalysis& analysis) {
-    return !analysis.control().has(Capability::jumps);
+    return !analysis.control().has(Capability::jumps) &&
+           std::ranges::none_of(find_block_users(analysis.program()), &BlockUser::restarts);
 }
 
 /// Whether a section begins between the two: one that stands twice says so itself.

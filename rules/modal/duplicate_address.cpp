@@ -117,8 +117,13 @@ void check(const queries::WordsOfBlock& block, Reporter& reporter) {
         addresses += (addresses.empty() ? "" : ", ") + std::string(address.address);
     const auto [address, first, last] = *std::ranges::min_element(
         repeated, {}, [](const Occurrence& occurrence) { return occurrence.last->span.begin; });
-    const std::string before = quoted(block.analysis.program(), first->span);
-    const std::string after = quoted(block.analysis.program(), last->span);
+    const Program& program = block.analysis.program();
+    const std::string after = quoted(program, last->span);
+    // Of more than two the first that the last one is not.
+    const auto other = std::ranges::find_if(block.words, [&, name = address](const Word& word) {
+        return word.address == name && word.has_value() && quoted(program, word.span) != after;
+    });
+    const std::string before = other == block.words.end() ? after : quoted(program, other->span);
     const auto report = [&](std::string_view message, std::vector<std::string> arguments) -> Finding& {
         return reporter.report({block.analysis, last->span}, last->span, message, std::move(arguments));
     };
@@ -130,7 +135,8 @@ void check(const queries::WordsOfBlock& block, Reporter& reporter) {
                        : forbidden          ? report("forbidden", {addresses, before, after})
                        : before == after    ? report("same", {addresses, after, alarm})
                                             : report("twice", {addresses, before, after, alarm});
-    if (!several && !forbidden && before == after) offer_removal(finding, Applicability::safe, last->span);
+    // The second one may have been meant for another address, or a part of a remark.
+    if (!several && !forbidden && before == after) offer_removal(finding, Applicability::unsafe, last->span);
     finding.related.push_back({block.analysis.source(), first->span, "the first one stands here"});
 }
 

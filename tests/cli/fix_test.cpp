@@ -40,7 +40,7 @@ TEST_F(FixedFiles, AreShownAsADifferenceThatChangesNothing) {
     folder.write("a.nc", bad);
     const Finished finished = run({"--diff", "a.nc"});
     EXPECT_EQ(text_of("a.nc"), bad);
-    EXPECT_EQ(finished.out, "--- a.nc\n+++ a.nc\n@@ -1,6 +1,6 @@\n %\n O1000 (PLATE)\n-G0 X1O.5\n"
+    EXPECT_EQ(finished.out, "--- a/a.nc\n+++ b/a.nc\n@@ -1,6 +1,6 @@\n %\n O1000 (PLATE)\n-G0 X1O.5\n"
                             "-G4 X1. (MACLINT ALLOW MAC301 - OLD)\n+G0 X10.5\n+G4 X1.\n M30\n %\n");
     EXPECT_EQ(finished.status, 1);
     folder.write("a.nc", good);
@@ -93,6 +93,58 @@ TEST_F(FixedFiles, ThatAreNotSafeWantAnOptionOfTheirOwn) {
     EXPECT_EQ(text_of("a.nc"), "%\nO1000\nG0 X1.5\nM30\n%\n");
 }
 
+TEST_F(FixedFiles, MayEndTheirLinesByCarriageReturns) {
+    folder.write("a.nc", "%\rO1000\rG90 G54\rG67\rG0 X1O.\rG65 P1\rG81 Z-5. R2.\rT2 M6\rM30\r%\r");
+    (void)run({"--fix", "--unsafe-fixes", "--select", "MAC106,MAC414,MAC569", "a.nc"});
+    EXPECT_EQ(text_of("a.nc"), "%\rO1000\rG90 G54\rG0 X10.\rG65 P1\rG81 Z-5. R2.\rG80\rT2 M6\rM30\r%\r");
+}
+
+TEST_F(FixedFiles, AreShownByOneHunkForEachPlaceUpToALastLineWithoutItsEnd) {
+    std::string text = "%\nO1000\nG0 X1O.\n";
+    for (int i = 1; i <= 9; ++i) text += "X" + std::to_string(i) + ".\n";
+    folder.write("a.nc", text + "G0 X2O.");
+    const Finished finished = run({"--diff", "--select", "MAC106", "a.nc"});
+    EXPECT_EQ(finished.out, "--- a/a.nc\n+++ b/a.nc\n"
+                            "@@ -1,6 +1,6 @@\n %\n O1000\n-G0 X1O.\n+G0 X10.\n X1.\n X2.\n X3.\n"
+                            "@@ -10,4 +10,4 @@\n X7.\n X8.\n X9.\n-G0 X2O.\n\\ No newline at end of file\n"
+                            "+G0 X20.\n\\ No newline at end of file\n");
+    folder.write("a.nc", "%\nO1000\nG0 X5.");
+    EXPECT_THAT(
+        run({"--diff", "--unsafe-fixes", "--select", "MAC455", "a.nc"}).out,
+        HasSubstr("-G0 X5.\n\\ No newline at end of file\n+G0 X5.\n+M30\n\\ No newline at end of file\n"));
+}
+
+TEST_F(FixedFiles, KeepACommentThatAllowsWhatOnlyTheFixUncovers) {
+    folder.write(
+        "a.nc",
+        "%\nO1000\n(MACLINT ALLOW MAC303 - WANTED)\nGOTO 2O\nWHILE[#1LT5]DO1\nN20 #1=#1+1\nEND1\nM30\n%\n");
+    const Finished finished = run({"--fix", "--select", "MAC001,MAC106,MAC303,MAC305", "a.nc"});
+    EXPECT_THAT(text_of("a.nc"), HasSubstr("(MACLINT ALLOW MAC303 - WANTED)\nGOTO 20\n"));
+    EXPECT_THAT(finished.out, HasSubstr("1 allowed by comments"));
+}
+
+TEST_F(FixedFiles, TakeOneFixThatDoesNotHelpOnceAndAllOthers) {
+    folder.write(
+        "a.nc",
+        "%\nO1000\nG90 G54 G0 X1O.5\nIF[#500EQ1]GOTO50\nG81 Z-5. R2. F100.\nX10.\nN50 T2 M6\nM30\n%\n");
+    const Finished finished = run({"--fix", "--unsafe-fixes", "--select", "MAC106,MAC569", "a.nc"});
+    EXPECT_THAT(text_of("a.nc"), HasSubstr("G0 X10.5\n"));
+    EXPECT_THAT(text_of("a.nc"), HasSubstr("X10.\nN50 G80\nT2 M6\nM30\n")) << "a jump to N50 runs it, too";
+    EXPECT_THAT(finished.err, Not(HasSubstr("left as it was")));
+}
+
+TEST_F(FixedFiles, MendAllPlacesOfOneFindingWhateverTheirTexts) {
+    std::string text = "MACHINING\n";
+    for (int i = 1; i <= 40; ++i)
+        text +=
+            "N" + std::to_string(i) + " G1 X6" + std::to_string(i) + " (PASS " + std::to_string(i) + ")\n";
+    folder.write("a.nc", text + "N99 M30\nEND\n");
+    EXPECT_THAT(run({"--fix", "--dialect", "dinplus", "--select", "DIN013", "a.nc"}).err,
+                HasSubstr("in 1 file.\n"));
+    EXPECT_THAT(text_of("a.nc"), HasSubstr("N40 G1 X640 [PASS 40]\n"));
+    EXPECT_THAT(text_of("a.nc"), Not(HasSubstr("(PASS")));
+}
+
 TEST_F(FixedFiles, AreOfferedInTheSummary) {
     folder.write("a.nc", bad);
     EXPECT_THAT(run({"a.nc"}).out, HasSubstr("\n2 findings can be corrected by --fix; --diff shows how\n"));
@@ -101,10 +153,10 @@ TEST_F(FixedFiles, AreOfferedInTheSummary) {
 }
 
 TEST_F(FixedFiles, LeaveFindingsAloneThatDoNotCount) {
-    folder.write("a.nc", "%\nO1000\nG0 X1O.5 (MACLINT ALLOW MAC106 - READ BY ANOTHER SYSTEM)\nM30\n%\n");
-    const std::string before = text_of("a.nc");
+    const std::string allowed = "%\nO1000\nG0 X1O.5 (MACLINT ALLOW MAC106 - READ BY ANOTHER SYSTEM)\n";
+    folder.write("a.nc", allowed + "G0 Y1O.\nM30\n%\n");
     (void)run({"--fix", "a.nc"});
-    EXPECT_EQ(text_of("a.nc"), before);
+    EXPECT_EQ(text_of("a.nc"), allowed + "G0 Y10.\nM30\n%\n");
 }
 
 TEST_F(FixedFiles, RefuseWhatMakesNoSense) {

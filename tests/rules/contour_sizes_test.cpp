@@ -62,7 +62,9 @@ TEST(Recesses, LieOnTheirLine) {
     EXPECT_THAT(on_line("G23 H0 Z-20 I-2 K4"), IsEmpty());
     EXPECT_THAT(on_line("G23 H0 Z-35 I-2 K4"), ElementsAre(4));
     EXPECT_THAT(on_line("G23 H0 Z-20 I-2 K31"), ElementsAre(4));
-    EXPECT_THAT(on_line("G37 Q1 F2 K31"), ElementsAre(4));
+    EXPECT_THAT(on_line("G37 Q1 F2 K31"), IsEmpty()) << "no line of the manual bounds its run-out";
+    EXPECT_THAT(on_line("L\"STEP\" V1\nG22 Z-50 I36 Ki-3"), IsEmpty()) << "the program may go on to there";
+    EXPECT_THAT(on_line("/G1 Z-60\nG22 Z-50 I36 Ki-3"), IsEmpty());
     EXPECT_THAT(on_line("G24 F2 I1.5 K6 Z-50"), IsEmpty()) << "20 more along Z";
     EXPECT_THAT(on_line("G24 F2 I1.5 K21 Z-50"), ElementsAre(4));
     EXPECT_THAT(on_line("G1 X50 Z-40\nG22 Z-35 I36 Ki-2"), ElementsAre(5)) << "oblique";
@@ -72,6 +74,28 @@ TEST(Recesses, LieOnTheirLine) {
 
 std::vector<std::uint32_t> figure(const std::string& blocks) {
     return din_lines("DIN243", "FACE_C Z0\nG308 ID\"A\" P-3\n" + blocks + "\nG309\nMACHINING\nM30\nEND\n");
+}
+
+TEST(Corners, FitTheLinesOfAClosedContour) {
+    const auto lines = [](const std::string& corner) {
+        return din_lines("DIN239", "FINISHED\nG0 X20 Z0\nG1 X40\nG1 Z-40\nG1 X20\nG1 Z0 BR" + corner +
+                                       "\nMACHINING\nM30\nEND\n");
+    };
+    EXPECT_THAT(lines("-8"), IsEmpty());
+    EXPECT_THAT(lines("-12"), ElementsAre(6)) << "the first line is 10 long";
+    EXPECT_THAT(din_lines("DIN239", "FINISHED\nG0 X20 Z0\nG1 X40 Z-20 BR5\nG1 X20 Z0\nMACHINING\nM30\nEND\n"),
+                IsEmpty())
+        << "it turns back";
+}
+
+TEST(Undercuts, StandAtAShoulder) {
+    const auto lines = [](const std::string& before, const std::string& behind) {
+        return din_lines("DIN217", "FINISHED\nG0 X0 Z0\n" + before + "\nG25 H6 I2 K5 R1\n" + behind +
+                                       "\nMACHINING\nM30\nEND\n");
+    };
+    EXPECT_THAT(lines("G1 X40\nG1 Z-30", "G1 X60"), IsEmpty());
+    EXPECT_THAT(lines("G1 X40\nG1 Z-30", "G1 X60 Z-50"), ElementsAre(5));
+    EXPECT_THAT(lines("G1 X40", "G1 X44 Z-60"), IsEmpty()) << "the shoulder is the line before";
 }
 
 TEST(Figures, HaveSizesThatGoTogether) {

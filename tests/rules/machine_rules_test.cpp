@@ -32,6 +32,30 @@ TEST(SpindleMissing, FollowsTheCalls) {
         << "nobody has O3";
 }
 
+/// A tool that works, with what stands behind its work.
+std::string tool(int number, const std::string& end, const std::string& start = "S900 M3\n") {
+    const std::string n = std::to_string(number);
+    return "T" + n + " M6\n" + start + "G43 H" + n + " Z50.\nG1 Z-5. F200.\nG0 Z50.\n" + end;
+}
+
+TEST(LeftOn, IsToldWhereEachOtherToolStops) {
+    const std::string head = "O1\nG90 G17 G54\n";
+    const std::string off = "M5\n";
+    EXPECT_THAT(
+        lines_raised("MAC563", head + tool(1, off) + tool(2, off) + tool(3, "") + tool(4, off) + "M30\n"),
+        ElementsAre(20));
+    EXPECT_THAT(lines_raised("MAC563", head + tool(1, "") + tool(2, off) + tool(3, off) + tool(4, "") +
+                                           tool(5, off) + "M30\n"),
+                IsEmpty())
+        << "twice";
+    EXPECT_THAT(lines_raised("MAC563", head + tool(1, off) + tool(2, "") + tool(3, off) + "M30\n"), IsEmpty())
+        << "once each way";
+    EXPECT_THAT(lines_raised("MAC563", head + tool(1, off) + tool(2, off) + tool(3, "", "S900\nM98 P2\n") +
+                                           tool(4, off) + "M30\nO2\nM3\nM99\n"),
+                IsEmpty())
+        << "a program that is called has started it";
+}
+
 TEST(FeedMissing, FollowsTheCalls) {
     const std::string slot = "O2\nG91 G1 X5.\nG90\nM99\n";
     EXPECT_THAT(lines_raised("MAC553", begins + "S500 M3\nG43 H1 Z5.\nM98 P2\nM30\n" + slot), ElementsAre(6));

@@ -22,7 +22,8 @@ TEST(ContoursBehindCycles, AreThereAndEnd) {
     EXPECT_THAT(machined("DIN246", "G810 P2\n" + contour + "G80\nG14 Q0\n"), IsEmpty());
     EXPECT_THAT(machined("DIN246", "G810 P2\n" + contour + "G14 Q0\n"), ElementsAre(5));
     EXPECT_THAT(machined("DIN246", "G810 P2\n" + contour), ElementsAre(5)) << "the end of the program";
-    EXPECT_THAT(machined("DIN246", "G890 V1\nG14 Q0\n"), ElementsAre(2)) << "none";
+    EXPECT_THAT(machined("DIN246", "G810 P2\nG0 X50 Z0\nG14 Q0\n"), ElementsAre(4)) << "of one element";
+    EXPECT_THAT(machined("DIN246", "G890 V1\nG14 Q0\n"), IsEmpty()) << "the cycle says that none is there";
     EXPECT_THAT(machined("DIN246", "G890 V1\nG80 XS50 ZS0 XE60 ZE-20\nG14 Q0\n"), IsEmpty());
     EXPECT_THAT(machined("DIN246", "G890 V1\nL\"SHAPE\" V1\nG14 Q0\n"), IsEmpty()) << "the program has it";
     EXPECT_THAT(machined("DIN246", "G810 NS3 NE5 P2\nG14 Q0\n"), IsEmpty());
@@ -35,7 +36,11 @@ TEST(MeasuringMoves, AreOneUnderTheirMonitoring) {
     EXPECT_THAT(machined("DIN951", begin + "G1 Xi-10\nG914\n"), IsEmpty());
     EXPECT_THAT(machined("DIN951", begin + "G1 Xi-10\nG1 Zi-1\nG914\n"), ElementsAre(5));
     EXPECT_THAT(machined("DIN951", begin + "G1 Xi-10\nG914\nG1 Zi-1\n"), IsEmpty());
-    EXPECT_THAT(machined("DIN951", begin + "G914\nG1 Xi-10\n"), ElementsAre(4));
+    EXPECT_THAT(machined("DIN951", begin + "G914\nG1 Xi-10\n"), IsEmpty()) << "MAC580 asks for the move";
+    EXPECT_THAT(machined("DIN951", begin + "G94 F400 G1 Xi-10\nG914\n"), IsEmpty());
+    EXPECT_THAT(machined("DIN951", "G94 F400 G1 X90\n" + begin + "Xi-10\nG914\n"), IsEmpty());
+    EXPECT_THAT(machined("DIN951", "G94 F400 G1 X90\n" + begin + "Xi-10\nZi-1\nG914\n"), ElementsAre(6));
+    EXPECT_THAT(machined("DIN951", "G94 F400 G1 X90\n" + begin + "G0 Xi-10\nZi-1\nG914\n"), IsEmpty());
     EXPECT_THAT(machined("DIN951", begin + "L\"TOUCH\" V1\nG914\n"), IsEmpty()) << "it moves there";
 }
 
@@ -52,7 +57,44 @@ TEST(InterpolationValues, AreTakenOverBeforeTheyAreRead) {
     EXPECT_THAT(machined("DIN317", "G909\n#l7=#a1(Z,1)\n"), ElementsAre(3));
     EXPECT_THAT(machined("DIN317", "G912 Q1\n#l7=#a9(X,0)\n"), IsEmpty());
     EXPECT_THAT(machined("DIN317", "G901\nG909\n#l7=#a9(X,0)\n"), ElementsAre(4));
+    EXPECT_THAT(machined("DIN317", "G905 Q1\nG909\n#l7=#a0(C,1)\n"), IsEmpty());
+    EXPECT_THAT(machined("DIN317", "G909\nIF #a1(Z,1)>5\nTHEN\nG4 F1\nENDIF\n"), ElementsAre(3)) << "once";
+    EXPECT_THAT(machined("DIN317", "#l1=0\nWHILE #l1<3\nIF #l1>0\nTHEN\n#l7=#a1(Z,1)\nENDIF\nG904\nG909\n"
+                                   "#l1=#l1+1\nENDWHILE\n"),
+                IsEmpty())
+        << "the pass before has filled it";
+    std::string moves;
+    for (int i = 0; i < 6000; ++i) moves += "G1 X" + std::to_string(i % 90) + ".5 Z-1\n";
+    EXPECT_THAT(machined("DIN317", moves + "G904\nG909\n#l7=#a1(Z,1)\n"), IsEmpty()) << "too long to be kept";
     EXPECT_THAT(machined("DIN317", "L\"FILL\" V1\n#l7=#a1(Z,1)\n"), IsEmpty()) << "filled there";
+}
+
+TEST(BlocksBehindAnEnd, AreReachedWhereTheProgramBeginsThere) {
+    EXPECT_THAT(machined("MAC460", "N5 G14 Q0\nN6 M30\nN7 G14 Q1\n"), ElementsAre(4));
+    EXPECT_THAT(machined("MAC460", "N5 G14 Q0\nIF #g1>1\nTHEN\nN8 M99 NS40\nENDIF\nN10 M30\nN40 G14 Q0\n"),
+                IsEmpty());
+}
+
+TEST(NamesOfContours, AreThoseOfOneKind) {
+    const auto lines = [](std::string_view code, const std::string& contours, const std::string& cycle) {
+        return din_lines(code, contours + "MACHINING\nT1\n" + cycle + "\nM30\nEND\n");
+    };
+    const std::string contour = "AUXIL_CONTOUR ID\"A\"\nG0 X40 Z0\nG1 Z-20\n";
+    EXPECT_THAT(lines("DIN247", contour + "AUXIL_CONTOUR ID\"A\"\nG0 X30 Z0\nG1 Z-9\n", "G810 ID\"A\" P2"),
+                ElementsAre(4));
+    EXPECT_THAT(lines("DIN247", "AUXIL_BLANK ID\"A\"\nG20 X60 Z50\n" + contour, "G810 ID\"A\" P2"),
+                IsEmpty());
+    EXPECT_THAT(lines("DIN247", "FACE_C Z0\nG308 ID\"A\" P-2\nG405 ID\"A\" XK0 YK0\nG300 B2 P2\nG309\n",
+                      "G72 ID\"A\""),
+                IsEmpty())
+        << "a text to be engraved";
+    const std::string unnamed = "AUXIL_CONTOUR\nG0 X40 Z0\nG1 Z-20\n";
+    EXPECT_THAT(lines("DIN205", unnamed, "G810 ID\"A\" P2"), ElementsAre(6));
+    EXPECT_THAT(lines("DIN205", unnamed, "G67 ID\"SHAFT\""), IsEmpty()) << "a blank";
+    EXPECT_THAT(lines("DIN204",
+                      "AUXIL_CONTOUR ID\"A\"\nIF #g1>1\nTHEN\nG0 X60 Z0\nELSE\nG0 X62 Z0\nENDIF\nG1 Z-20\n",
+                      ""),
+                IsEmpty());
 }
 
 std::vector<std::uint32_t> with_contours(std::string_view code, const std::string& cycle) {

@@ -82,6 +82,31 @@ class FixesTest(unittest.TestCase):
             found.append(f"{code}: more lines than its {places} edits have changed in\n{fixed}")
         return found
 
+    def fixed(self, folder, language, code, text, line_end):
+        file = folder / "ends.nc"
+        file.write_bytes(text.replace("\n", line_end).encode())
+        maclint("--dialect", language, "--select", code, "--fix", "--unsafe-fixes", file)
+        return file.read_bytes().decode().replace(line_end, "\n")
+
+    def test_does_the_same_whatever_ends_the_lines_and_as_its_difference_says(self):
+        with tempfile.TemporaryDirectory() as held:
+            folder = pathlib.Path(held)
+            for code, language, text in offering(folder):
+                with self.subTest(code=code, text=text):
+                    fixed = self.fixed(folder, language, code, text, "\n")
+                    self.assertEqual(self.fixed(folder, language, code, text, "\r\n"), fixed)
+                    self.assertEqual(self.fixed(folder, language, code, text, "\r"), fixed)
+                    for end in ("\n", ""):
+                        (folder / "ends.nc").write_text(text.rstrip("\n") + end, encoding="utf-8")
+                        difference = subprocess.run(
+                            [os.environ["MACLINT"], "check", "--isolated", "--dialect", language, "--select", code, "--diff",
+                             "--unsafe-fixes", "ends.nc"], cwd=folder, capture_output=True, check=False).stdout
+                        subprocess.run(["git", "apply"], cwd=folder, input=difference, check=True)
+                        applied = (folder / "ends.nc").read_text(encoding="utf-8")
+                        (folder / "ends.nc").write_text(text.rstrip("\n") + end, encoding="utf-8")
+                        maclint("--dialect", language, "--select", code, "--fix", "--unsafe-fixes", folder / "ends.nc")
+                        self.assertEqual(applied, (folder / "ends.nc").read_text(encoding="utf-8"))
+
     def test_mends_what_is_found_and_brings_nothing(self):
         fixing = set()
         found = []

@@ -5,6 +5,7 @@
 #include "analyzer/program/numbered_blocks.hpp"
 #include "analyzer/program/section_kinds.hpp"
 #include "analyzer/program/tables.hpp"
+#include "analyzer/program/word_lookup.hpp"
 
 #include <algorithm>
 #include <array>
@@ -19,6 +20,11 @@ constexpr std::string_view name_word = "ID";
 constexpr std::array wanting = {810.0, 820.0, 830.0, 835.0, 860.0, 869.0, 870.0, 890.0, 895.0, 891.0, 31.0,
                                 71.0,  72.0,  73.0,  74.0,  75.0,  799.0, 797.0, 840.0, 845.0, 846.0, 847.0,
                                 848.0, 702.0, 67.0,  841.0, 842.0, 843.0, 844.0, 800.0, 806.0};
+
+/// Those of them that ask for a blank.
+constexpr std::array for_blanks = {67.0, 702.0};
+/// The level whose name is one of a contour. Other codes of contours have texts in that word.
+constexpr double level = 308;
 
 /// The name in a heading: `AUXIL_CONTOUR ID"GROOVE"`.
 std::optional<ContourName> name_in(const Program& program, Span heading) {
@@ -43,7 +49,10 @@ class Reader {
             if (kind == nullptr) continue;
             const bool describes = kind->role == SectionKind::Role::contour;
             if (describes)
-                if (const auto name = name_in(program, section.heading)) names_.described.push_back(*name);
+                if (auto name = name_in(program, section.heading)) {
+                    name->is_blank = section.kind == "BLANK" || section.kind == "AUXIL_BLANK";
+                    names_.described.push_back(*name);
+                }
             for_each_block_with_words(
                 program, section.items, [](const PlainRun&, const auto&) {}, // no text stands in plain blocks
                 [](const WordSummary&) { return true; },
@@ -55,23 +64,27 @@ class Reader {
 
   private:
     void read(const Program& program, const BlockView& block, std::span<const Word> words, bool describes) {
-        for (const Effect& effect : program.effects_in(block.effects))
-            if (describes && (std::holds_alternative<Call>(effect.what) ||
-                              std::holds_alternative<UnreadableBlock>(effect.what)))
+        for (const Effect& effect : program.effects_in(block.effects)) {
+            if (!describes) break;
+            names_.has_branches |= std::holds_alternative<RegionMark>(effect.what);
+            if (std::holds_alternative<Call>(effect.what) ||
+                std::holds_alternative<UnreadableBlock>(effect.what))
                 names_.is_complete = false;
+        }
         const auto word = std::ranges::find(words, name_word, &Word::address);
         if (word == words.end()) return;
         const auto name = text_of(program, *word);
         if (!name) return;
         if (describes) {
-            names_.described.push_back({*name, word->span});
+            if (number_of(words, "G") == level) names_.described.push_back({*name, word->span});
             return;
         }
         for (const Word& code : words) {
             const auto* number = std::get_if<Literal>(&code.value);
             if (number != nullptr && code.address == "G" &&
                 std::ranges::find(wanting, number->value) != wanting.end())
-                names_.wanted.push_back({*name, word->span, program.slice(code.span)});
+                names_.wanted.push_back({*name, word->span, program.slice(code.span),
+                                         std::ranges::find(for_blanks, number->value) != for_blanks.end()});
         }
     }
 

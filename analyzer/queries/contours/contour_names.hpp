@@ -18,11 +18,13 @@ struct ContourName {
     std::string_view name;
     Span span;
     std::string_view code = {}; ///< of the block that asks for it: "G810"
+    bool is_blank = false;      ///< it is one of a blank, or asks for one
 };
 
 struct ContourNames {
     std::vector<ContourName> described, wanted;
-    bool is_complete = true; ///< no subprogram may describe more
+    bool is_complete = true;   ///< no subprogram may describe more
+    bool has_branches = false; ///< which of them are described is decided while the program is read
 };
 
 /// Those of one file.

@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
 #include <span>
 #include <string_view>
 #include <utility>
@@ -39,9 +40,10 @@ class Walker {
         : outline_(outline) {}
 
     /// Blocks that do something else end what is known.
-    void forget() {
+    void forget(const BlockView& block) {
         x_ = z_ = std::nullopt;
         motion_.reset();
+        if (outline_.describes) outline_.gaps.push_back(block.span.begin);
     }
 
     void look_at(const BlockView& block, std::span<const Word> words) {
@@ -49,7 +51,7 @@ class Walker {
         for (const Word& word : words) {
             if (word.address != "G") continue;
             const auto number = number_of(&word);
-            if (!number) return forget();
+            if (!number) return forget(block);
             if (is_motion(*number)) {
                 motion_ = number;
                 code = word.span;
@@ -152,14 +154,6 @@ bool has_other_code(const Program& program, std::span<const Word> words) {
     });
 }
 
-/// How many plain blocks the section has.
-std::size_t plain_blocks(const Program& program, const Section& section) {
-    std::size_t blocks = 0;
-    for (ItemId item = section.items.first; item < section.items.first + section.items.count; ++item)
-        if (const auto* run = std::get_if<PlainRun>(&program.items[item])) blocks += run->blocks;
-    return blocks;
-}
-
 std::vector<Outline> outlines_of(const Program& program, bool with_moves) {
     std::vector<Outline> outlines;
     if (program.control->machine != Machine::lathe || !program.control->has(Capability::sections)) return {};
@@ -169,11 +163,13 @@ std::vector<Outline> outlines_of(const Program& program, bool with_moves) {
         const bool moves = with_moves && section.executed == Section::Executed::when_reached &&
                            plain_blocks(program, section) <= most_blocks;
         if (!describes && !moves) continue;
-        Outline& outline = outlines.emplace_back(Outline{&section, describes, {}});
+        Outline& outline = outlines.emplace_back();
+        outline.section = &section;
+        outline.describes = describes;
         Walker walker(outline);
         for_each_block_of(program, section, [&](const BlockView& block, std::span<const Word> words) {
             if (!only_moves(program, block) || (!describes && has_other_code(program, words)))
-                walker.forget();
+                walker.forget(block);
             else
                 walker.look_at(block, words);
         });
@@ -182,6 +178,25 @@ std::vector<Outline> outlines_of(const Program& program, bool with_moves) {
 }
 
 } // namespace
+
+bool Outline::has_gap(Offset begin, Offset end) const {
+    const auto gap = std::ranges::lower_bound(gaps, begin);
+    return gap != gaps.end() && *gap < end;
+}
+
+const OutlineElement* Outline::before(Offset block) const {
+    const auto begins = [](const OutlineElement& element) { return element.block.begin; };
+    const auto behind = std::ranges::upper_bound(elements, block, {}, begins);
+    if (behind == elements.begin() || has_gap(std::prev(behind)->block.begin, block)) return nullptr;
+    return &*std::prev(behind);
+}
+
+const OutlineElement* Outline::behind(Offset block) const {
+    const auto begins = [](const OutlineElement& element) { return element.block.begin; };
+    const auto behind = std::ranges::upper_bound(elements, block, {}, begins);
+    if (behind == elements.end() || has_gap(block, behind->block.begin)) return nullptr;
+    return &*behind;
+}
 
 double distance(const OutlinePoint& a, const OutlinePoint& b) { return std::hypot(a.x - b.x, a.z - b.z); }
 

@@ -30,6 +30,15 @@ struct Outline {
     const Section* section = nullptr;
     bool describes = false; ///< a contour, and not moves of the tool
     std::vector<OutlineElement> elements;
+    std::vector<Offset> gaps = {}; ///< blocks, in text order, that may describe what nobody can say
+
+    /// The element that a block lies on, which stands before it, and the next one behind it; nullptr: there
+    /// is none, or a gap lies between.
+    [[nodiscard]] const OutlineElement* before(Offset block) const;
+    [[nodiscard]] const OutlineElement* behind(Offset block) const;
+
+  private:
+    [[nodiscard]] bool has_gap(Offset begin, Offset end) const;
 };
 
 /// Those of a program whose control turns: one for each contour.

@@ -1,6 +1,7 @@
 //! Keeps the words of each block.
 #include "analyzer/queries/structure/text_order.hpp"
 
+#include "analyzer/program/section_blocks.hpp"
 #include "analyzer/program/word_lookup.hpp"
 
 #include <algorithm>
@@ -28,12 +29,9 @@ bool breaks(const Program& program, const BlockView& block) {
 
 std::optional<double> TextBlock::code() const { return number_of(words, "G"); }
 
-std::vector<TextBlock> blocks_in_order(const Program& program, const Section& section) {
+std::optional<std::vector<TextBlock>> blocks_in_order(const Program& program, const Section& section) {
+    if (plain_blocks(program, section) > most_blocks) return std::nullopt;
     std::vector<TextBlock> blocks;
-    std::size_t plain = 0;
-    for (ItemId item = section.items.first; item < section.items.first + section.items.count; ++item)
-        if (const auto* run = std::get_if<PlainRun>(&program.items[item])) plain += run->blocks;
-    if (plain > most_blocks) return blocks;
     for (ItemId item = section.items.first; item < section.items.first + section.items.count; ++item)
         for_each_block_with_words(
             program, Stretch{item, program.span_of(item)},

@@ -19,7 +19,8 @@ struct TextBlock {
     [[nodiscard]] std::optional<double> code() const;
 };
 
-/// None of a section that a CAM system wrote: its blocks are too many to be kept.
-[[nodiscard]] std::vector<TextBlock> blocks_in_order(const Program& program, const Section& section);
+/// Nothing of a section that a CAM system wrote: its blocks are too many to be kept.
+[[nodiscard]] std::optional<std::vector<TextBlock>> blocks_in_order(const Program& program,
+                                                                    const Section& section);
 
 } // namespace maclint::queries

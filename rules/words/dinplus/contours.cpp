@@ -20,7 +20,7 @@ constexpr BookLine lines[] = {
         word("Z", 10511, "length of the blank").needed("the blank has no length"),
         word("K", 10512, "distance from the zero point to the right edge").in_examples(),
         word("I", 10513, "inside diameter").without("solid bar"),
-        not_before("G0 G1 G2 G3 G12 G13", 10502, "the bar or tube is the whole blank, and FINISHED begins the finished part"),
+        not_before("G0 G1 G2 G3 G12 G13", 10192, "the bar or tube is the whole blank, and FINISHED begins the finished part"),
     code("G21", 10524, "casting as blank", "BLANK").also("DIN202"), // not in an auxiliary blank: 10537
         word("P", 10530, "oversize on the finished contour").in_examples(),
         word("Q", 10531, "drilled: 0 no, 1 yes", "0 1").without("0"),

@@ -151,7 +151,7 @@ constexpr BookLine lines[] = {
         word("H", 20064, "number of the conversion table"),
         word("Q", 20065, "number of the spindle").without("0"),
     code("G99", 20080, "choice and shift of the contour group"),
-        word("Q", 20086, "number of the contour group", "1..4"), // at most four, l.2826
+        word("Q", 20086, "number of the contour group", "1..4"), // at most four, l.2827
         word("D", 20087, "number of the spindle"),
         word("X", 20088, "shift in X, a diameter"),
         word("Z", 20089, "shift in Z"),
