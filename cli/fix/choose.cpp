@@ -52,17 +52,19 @@ class Round {
     std::map<std::string_view, File> files_;
 };
 
-/// Whether the fix inserts what stands there already: it has been made, and did not help.
+/// Whether the fix inserts a line that stands there already: it has been made, and did not help.
 bool is_made(const Fix& fix) {
-    return std::ranges::any_of(fix.edits, [](const Edit& edit) {
-        const std::string_view bytes = edit.source->bytes();
-        const std::string_view text =
-            std::string_view(edit.text).substr(0, edit.text.find_last_not_of("\r\n") + 1);
-        if (edit.span.length() > 0 || text.empty()) return false;
+    constexpr std::string_view line_ends = "\r\n";
+    return std::ranges::any_of(fix.edits, [&](const Edit& edit) {
+        const std::string_view bytes = edit.source->bytes(), text = edit.text;
+        const std::size_t first = text.find_first_not_of(line_ends), last = text.find_last_not_of(line_ends);
+        const bool is_line = text.find('\n') != std::string_view::npos && first != std::string_view::npos;
+        if (edit.span.length() > 0 || !is_line) return false;
+        const std::string_view line = text.substr(first, last + 1 - first);
         const std::string_view before = bytes.substr(0, edit.span.begin);
-        const std::size_t end = before.find_last_not_of("\r\n");
-        return bytes.substr(edit.span.begin).starts_with(text) ||
-               (end != std::string_view::npos && before.substr(0, end + 1).ends_with(text));
+        const std::size_t end = before.find_last_not_of(line_ends);
+        return bytes.substr(edit.span.begin).starts_with(line) ||
+               (end != std::string_view::npos && before.substr(0, end + 1).ends_with(line));
     });
 }
 
