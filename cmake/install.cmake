@@ -27,7 +27,7 @@ endif()
 
 # The pages stand as here, so that their links hold. Links to what only a copy of the repository has become plain text.
 install(FILES LICENSE action.yml DESTINATION "${doc}")
-install(DIRECTORY docs DESTINATION "${doc}")
+install(DIRECTORY docs editors DESTINATION "${doc}")
 foreach(page IN ITEMS README.md CHANGELOG.md SECURITY.md)
   set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS "${page}")
   file(READ "${page}" text)

@@ -88,7 +88,7 @@ struct Finding {
     /// Adds the fix after those that are there, unless it changes nothing, or the same bytes twice.
     void offer(Fix offered);
     /// Takes in a finding of the same cause that stands later in the text: its place becomes a repeat, and
-    /// what mends it there is added to the fix of the same rank here.
+    /// what mends it there is added to the fix here that does the same ("Write …").
     void add_repeat(Finding same);
     /// The statement, and the cure after it where the message has one.
     [[nodiscard]] std::string message() const;

@@ -2,7 +2,6 @@
 #include "rules/finding.hpp"
 
 #include <algorithm>
-#include <cstddef>
 #include <iterator>
 #include <utility>
 
@@ -28,6 +27,9 @@ void append(Fix later, Fix& fix) {
     fix.applicability = std::max(fix.applicability, later.applicability);
 }
 
+/// "Write" of "Write 'X10.5'": what is done at each place alike.
+std::string_view verb_of(std::string_view title) { return title.substr(0, title.find(' ')); }
+
 } // namespace
 
 std::string_view name_of(Applicability applicability) {
@@ -44,11 +46,14 @@ void Finding::offer(Fix offered) {
 }
 
 void Finding::add_repeat(Finding same) {
-    for (std::size_t i = 0; i < same.fixes.size(); ++i)
-        if (i < fixes.size())
-            append(std::move(same.fixes[i]), fixes[i]);
+    for (Fix& other : same.fixes) {
+        const auto own = std::ranges::find_if(
+            fixes, [&](const Fix& fix) { return verb_of(fix.title) == verb_of(other.title); });
+        if (own != fixes.end())
+            append(std::move(other), *own);
         else
-            fixes.push_back(std::move(same.fixes[i]));
+            fixes.push_back(std::move(other));
+    }
     repeats.push_back({std::move(same.source), same.span, "the same stands here"});
 }
 

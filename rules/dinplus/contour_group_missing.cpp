@@ -62,10 +62,11 @@ void check(const ProgramAnalysis& analysis, Reporter& reporter) {
     constexpr double most_groups = 4; // [SEED-003:2827]; what is beyond is told by the value's row
     std::set<double> groups;
     for (const Section& section : program.sections) {
+        const bool is_group = section.kind == "CONTOUR";
         const SectionKind* kind = kind_of(*program.control, section);
-        if (groups.empty() && kind != nullptr && kind->role == SectionKind::Role::contour)
+        if (!is_group && groups.empty() && kind != nullptr && kind->role == SectionKind::Role::contour)
             return; // a contour of no group
-        if (section.kind != "CONTOUR") continue;
+        if (!is_group) continue;
         const auto number = number_of(queries::heading_words(program, section), "Q");
         if (!number) return;
         groups.insert(*number);

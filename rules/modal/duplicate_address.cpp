@@ -4,6 +4,7 @@
 #include "analyzer/queries/words/block_words.hpp"
 #include "analyzer/workspace/program_analysis.hpp"
 #include "rules/fixes.hpp"
+#include "rules/modal/duplicate_address_finder.hpp"
 #include "rules/path.hpp"
 #include "rules/rule.hpp"
 #include "rules/word_check.hpp"
@@ -75,55 +76,17 @@ M30
 
 namespace {
 
-/// Arguments of a call may repeat addresses that no other block may.
-bool may_be_argument(const queries::WordsOfBlock& block, const Word& word) {
-    const auto& repeatable = block.analysis.control().repeatable_arguments;
-    return std::ranges::find(repeatable, word.address) != repeatable.end() && queries::may_call(block);
-}
-
-/// An address of a block, and the first and the last of its words that have a value.
-struct Occurrence {
-    std::string_view address;
-    const Word* first;
-    const Word* last;
-};
-
-/// In the order of their first words.
-std::vector<Occurrence> occurrences_in(std::span<const Word> words) {
-    std::vector<Occurrence> occurrences;
-    for (const Word& word : words) {
-        if (!word.has_value()) continue;
-        const auto known = std::ranges::find(occurrences, word.address, &Occurrence::address);
-        if (known == occurrences.end())
-            occurrences.push_back({word.address, &word, nullptr});
-        else
-            known->last = &word;
-    }
-    return occurrences;
-}
-
 void check(const queries::WordsOfBlock& block, Reporter& reporter) {
-    const auto& repeatable = block.analysis.control().repeatable;
-    std::vector<Occurrence> repeated = occurrences_in(block.words);
-    std::erase_if(repeated, [&](const Occurrence& address) {
-        return address.last == nullptr ||
-               std::ranges::find(repeatable, address.address) != repeatable.end() ||
-               may_be_argument(block, *address.last);
-    });
-    if (repeated.empty() || queries::has_alternatives(block)) return;
-    if (queries::call_twice(block.analysis.control(), block.words)) return; // MAC423's
+    const std::vector<RepeatedAddress> repeated = repeated_addresses(block);
+    if (repeated.empty()) return;
     std::string addresses;
-    for (const Occurrence& address : repeated)
+    for (const RepeatedAddress& address : repeated)
         addresses += (addresses.empty() ? "" : ", ") + std::string(address.address);
-    const auto [address, first, last] = *std::ranges::min_element(
-        repeated, {}, [](const Occurrence& occurrence) { return occurrence.last->span.begin; });
+    const auto [address, first, last, other] = *std::ranges::min_element(
+        repeated, {}, [](const RepeatedAddress& one) { return one.last->span.begin; });
     const Program& program = block.analysis.program();
     const std::string after = quoted(program, last->span);
-    // Of more than two the first that the last one is not.
-    const auto other = std::ranges::find_if(block.words, [&, name = address](const Word& word) {
-        return word.address == name && word.has_value() && quoted(program, word.span) != after;
-    });
-    const std::string before = other == block.words.end() ? after : quoted(program, other->span);
+    const std::string before = other == nullptr ? after : quoted(program, other->span);
     const auto report = [&](std::string_view message, std::vector<std::string> arguments) -> Finding& {
         return reporter.report({block.analysis, last->span}, last->span, message, std::move(arguments));
     };
@@ -133,10 +96,10 @@ void check(const queries::WordsOfBlock& block, Reporter& reporter) {
     Finding& finding = several && forbidden ? report("several-forbidden", {addresses})
                        : several            ? report("several", {addresses, alarm})
                        : forbidden          ? report("forbidden", {addresses, before, after})
-                       : before == after    ? report("same", {addresses, after, alarm})
+                       : other == nullptr   ? report("same", {addresses, after, alarm})
                                             : report("twice", {addresses, before, after, alarm});
     // The second one may have been meant for another address, or a part of a remark.
-    if (!several && !forbidden && before == after) offer_removal(finding, Applicability::unsafe, last->span);
+    if (!several && !forbidden && other == nullptr) offer_removal(finding, Applicability::unsafe, last->span);
     finding.related.push_back({block.analysis.source(), first->span, "the first one stands here"});
 }
 
