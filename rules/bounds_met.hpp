@@ -10,9 +10,9 @@
 
 namespace maclint {
 
-/// A rule in whose check of some program of the file a search for paths gave up, and whose findings do not
-/// stand without one. Without a code: a program of
-/// the file has more ways to its labels than are followed one by one, so that each may lead to any of them.
+/// A rule whose check of the file or of some program of it has spent its Budget; or in which a search gave
+/// up, where the rule's findings do not stand without a path. Without a code: a program of the file has more
+/// ways to its labels than are followed one by one, so that each may lead to any of them.
 struct BoundMet {
     std::string path; ///< of the file
     std::string_view code;

@@ -1,9 +1,8 @@
 //! Runs the selected rules over one file or program, and what exemptions hold back with them off.
 #include "rules/findings_in.hpp"
 
-#include "analyzer/execution/given_up.hpp"
 #include "analyzer/program/model.hpp"
-#include "analyzer/source/work_limit.hpp"
+#include "analyzer/source/budget.hpp"
 #include "analyzer/workspace/program_analysis.hpp"
 #include "rules/machine_check.hpp"
 #include "rules/syntax_errors.hpp"
@@ -53,10 +52,9 @@ template<class Thing>
 std::vector<Finding> check(const Rule& rule, const Thing& thing, std::vector<BoundMet>& met) {
     std::vector<Finding> findings;
     Reporter reporter(rule);
-    const execution::GivenUp given_up;
-    const WorkLimit limit(work_for(thing));
+    const Budget budget(work_for(thing));
     run_check(rule, thing, reporter);
-    if ((given_up.any() && !rule.stands_without_path) || limit.is_met())
+    if ((budget.gave_up() && !rule.stands_without_path) || budget.is_spent())
         met.push_back({path_of(thing), rule.code});
     for (Finding& finding : reporter.take()) {
         const Proof proof = rule.stands_without_path ? Proof::path : finding.proof;

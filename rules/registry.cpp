@@ -81,6 +81,7 @@
     RULE(endless_jump_loop)                     /* MAC336 */ \
     RULE(equal_branches)                        /* MAC337 */ \
     RULE(profile_block_missing)                 /* MAC338 */ \
+    RULE(branch_falls_through)                  /* MAC339 */ \
     RULE(call_without_program_number)           /* MAC401 */ \
     RULE(program_not_found)                     /* MAC402 */ \
     RULE(words_before_call)                     /* MAC403 */ \
@@ -174,6 +175,8 @@
     RULE(alarm_number_out_of_range)             /* MAC601 */ \
     RULE(missing_argument_validation)           /* MAC604 */ \
     RULE(position_read_ahead)                   /* MAC605 */ \
+    RULE(lookahead_output)                      /* MAC606 */ \
+    RULE(skip_not_checked)                      /* MAC607 */ \
     RULE(bracket_depth)                         /* MAC701 */ \
     RULE(division_by_zero)                      /* MAC702 */ \
     RULE(domain_error)                          /* MAC703 */ \

@@ -3,7 +3,7 @@
 
 #include "analyzer/program/model.hpp"
 #include "analyzer/program/tables.hpp"
-#include "analyzer/source/work_limit.hpp"
+#include "analyzer/source/budget.hpp"
 #include "rules/rule.hpp"
 
 #include <algorithm>
@@ -32,7 +32,7 @@ const Alarm* only_one(std::span<const Alarm> alarms, const Is& is) {
 Finding& Reporter::report(const Cause& cause, Span span, std::string_view message_id,
                           std::vector<std::string> arguments) {
     const ProgramFile& file = *cause.file;
-    if (!WorkLimit::is_innermost_met()) sure_ = findings_.size();
+    if (!Budget::is_innermost_spent()) sure_ = findings_.size();
     return findings_.emplace_back(Finding{.rule = rule_,
                                           .cause = cause,
                                           .severity = severity_in(file, *rule_),
@@ -61,7 +61,7 @@ std::string_view Reporter::alarm_for(const ProgramFile& file, std::string_view t
 }
 
 std::vector<Finding> Reporter::take() {
-    if (WorkLimit::is_innermost_met())
+    if (Budget::is_innermost_spent())
         findings_.erase(findings_.begin() + static_cast<std::ptrdiff_t>(sure_), findings_.end());
     return std::move(findings_);
 }

@@ -18,7 +18,7 @@ class Reporter {
         : rule_(&rule) {}
 
     /// Adds a finding and gives it back, to be filled with related places, a path or a fix. Where the
-    /// thread's WorkLimit is met meanwhile it is not told.
+    /// thread's Budget is met meanwhile it is not told.
     Finding& report(const Cause& cause, Span span, std::string_view message_id,
                     std::vector<std::string> arguments);
     /// Whether the rule has a message of that name.

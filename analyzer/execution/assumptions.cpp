@@ -125,7 +125,7 @@ std::optional<Assumptions::Id> Assumptions::add(Id known, Operation operation, c
                                                 const Value& right) {
     const auto made = make(known, operation, left, right);
     if (!made) return known;
-    if (WorkLimit::is_innermost_met() || is_known(made->assumption)) return known;
+    if (Budget::is_innermost_spent() || is_known(made->assumption)) return known;
     if (contradicts(made->assumption, *made->subject)) return std::nullopt;
     const Id added = put(made->assumption);
     return leaves_alternatives(added) ? std::optional(added) : std::nullopt;

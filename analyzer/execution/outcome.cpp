@@ -93,7 +93,7 @@ class Naming {
 
     SymbolId value(ExpressionId expression) { return transfer_.value_in(state_, expression).symbol; }
     SymbolId result(Operation operation, SymbolId first, SymbolId second) {
-        return table_.symbols({Symbol::Kind::result, static_cast<std::uint64_t>(operation), first, second});
+        return table_.symbols(Symbol::result_of(operation, first, second));
     }
 
     const Program& program_;

@@ -2,7 +2,7 @@
 #include "analyzer/execution/path_explorer.hpp"
 
 #include "analyzer/flow/walk.hpp"
-#include "analyzer/source/work_limit.hpp"
+#include "analyzer/source/budget.hpp"
 
 #include <algorithm>
 #include <cassert>
@@ -67,10 +67,10 @@ PathFound PathExplorer::find(std::span<const Leg> legs, std::size_t most_visits)
     flow::NodeId from = 0;
     for (std::size_t each = 0; each < legs.size(); from = legs[each++].to)
         if (distance_[each][from] == unreachable) return found;
-    const WorkLimit limit(most_looked_at);
+    const Budget budget(most_looked_at);
     bool arrived = arrive(0, 0, run_.at_start());
     while (!arrived && !choice_points_.empty()) {
-        if (visits_ > most_visits || limit.is_met() || is_spent()) {
+        if (visits_ > most_visits || budget.is_spent() || is_spent()) {
             found.gave_up = true;
             break;
         }
@@ -92,7 +92,7 @@ PathFound PathExplorer::find(std::span<const Leg> legs, std::size_t most_visits)
     }
     work_ += visits_ * work_of_a_visit;
     // Where the limit is met not all was asked on the way.
-    if (arrived && limit.is_met()) {
+    if (arrived && budget.is_spent()) {
         arrived = false;
         found.gave_up = true;
     }

@@ -84,14 +84,14 @@ std::optional<PathRun::Point> PathRun::remembered(Step::Kind kind, std::uint32_t
     const std::uint32_t step =
         steps_({kind, id, before.state.root, before.state.havoc, before.assumed, before.time});
     if (step == taken_.size()) {
-        const WorkLimit limit(most_of_a_step_);
+        const Budget budget(most_of_a_step_);
         const std::size_t done = work_.done();
         const std::size_t evaluated = transfer_.evaluated();
         const std::optional<Point> after = take();
         work_.allows((transfer_.evaluated() - evaluated) * work_of_an_expression);
         taken_.push_back({after, work_.done() - done});
     }
-    (void)WorkLimit::allows(taken_[step].work);
+    (void)Budget::allows(taken_[step].work);
     return taken_[step].after;
 }
 
@@ -161,7 +161,7 @@ bool PathRun::assume_switches(Point& point, const Switches& switches) {
     for (std::uint32_t level = 0; level < std::numeric_limits<std::uint16_t>::digits; ++level) {
         const bool on = (switches.on >> level & 1U) != 0;
         if (!on && (switches.off >> level & 1U) == 0) continue;
-        if (!assume_is(point, states_.table().symbols({Symbol::Kind::skip_switch, level}), on)) return false;
+        if (!assume_is(point, states_.table().symbols(Symbol::switch_of(level)), on)) return false;
     }
     return true;
 }
@@ -257,8 +257,7 @@ dataflow::Root PathRun::unknown_after(const Changes& changes) {
     dataflow::State state;
     for (const Variable variable : changes.variables) {
         Value value;
-        value.symbol =
-            states_.table().symbols({Symbol::Kind::joined, dataflow::key_of(variable), changes.at, 1});
+        value.symbol = states_.table().symbols(Symbol::joined_at(dataflow::key_of(variable), changes.at, 1));
         if (std::ranges::binary_search(changes.fractions, dataflow::key_of(variable), {},
                                        [](Variable each) { return dataflow::key_of(each); }))
             assumptions_.may_be_fraction(value.symbol);
@@ -294,13 +293,13 @@ std::uint32_t PathRun::see(SymbolId id, std::uint32_t place) {
 /// Whether a decision can come upon the value again that sees what this fingerprint counts and the machine.
 bool PathRun::can_be_seen(SymbolId id) const {
     const Symbol& symbol = states_.table().symbols[id];
-    switch (symbol.kind) {
+    switch (symbol.kind()) {
     case Symbol::Kind::constant:
     case Symbol::Kind::vacant:
     case Symbol::Kind::machine:
     case Symbol::Kind::skip_switch: return true;
     case Symbol::Kind::result:
-        if (can_be_seen(symbol.b) && can_be_seen(symbol.c)) return true;
+        if (can_be_seen(symbol.first()) && can_be_seen(symbol.second())) return true;
         break;
     default: break;
     }
@@ -331,7 +330,7 @@ bool PathRun::share_a_value(const Point& point, std::span<const Variable> some,
     for (const Variable variable : others) see(symbol_of(variable), 0);
     return std::ranges::any_of(some, [&](Variable variable) {
         const SymbolId symbol = symbol_of(variable);
-        return is_seen(symbol) && states_.table().symbols[symbol].kind != Symbol::Kind::constant;
+        return is_seen(symbol) && states_.table().symbols[symbol].kind() != Symbol::Kind::constant;
     });
 }
 

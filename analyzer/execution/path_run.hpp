@@ -40,7 +40,7 @@ class PathRun {
     };
 
     /// The analysis and the work must outlive the run. What a step makes of a point is remembered: many paths
-    /// begin alike. It counts for the thread's WorkLimit each time, so that it makes no difference who comes
+    /// begin alike. It counts for the thread's Budget each time, so that it makes no difference who comes
     /// first, and as work once. One step may look at `most_of_a_step` expressions and assumptions.
     PathRun(const ProgramAnalysis& analysis, SearchWork& work, std::size_t most_of_a_step);
 

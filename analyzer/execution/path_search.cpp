@@ -1,9 +1,8 @@
 //! Bounds the searches, and keeps one explorer for all of a program.
 #include "analyzer/execution/path_search.hpp"
 
-#include "analyzer/execution/given_up.hpp"
 #include "analyzer/execution/path_explorer.hpp"
-#include "analyzer/source/work_limit.hpp"
+#include "analyzer/source/budget.hpp"
 
 #include <algorithm>
 #include <memory>
@@ -17,16 +16,13 @@ constexpr std::size_t most_visits_in_all = 8000; ///< for all paths that one sea
 } // namespace
 
 PathFound PathSearch::find(std::span<const Leg> legs) {
-    const WorkLimit::Pause pause; // it has bounds of its own
+    const Budget own = Budget::without_bound(); // it has bounds of its own
     const std::size_t left = most_visits_in_all - std::min(visits_, most_visits_in_all);
     SearchMemory& memory = analysis_->search_memory();
     PathFound found = memory.use<PathExplorer>(
         [&] { return std::make_shared<PathExplorer>(*analysis_); },
         [&](PathExplorer& explorer) { return explorer.find(legs, std::min(most_visits, left)); });
-    if (found.gave_up)
-        GivenUp::note(memory);
-    else
-        memory.count(false);
+    memory.count(found.gave_up);
     visits_ += found.visits;
     return found;
 }

@@ -5,6 +5,7 @@
 #include "analyzer/dataflow/facts/clobber.hpp"
 #include "analyzer/dataflow/facts/store.hpp"
 #include "analyzer/flow/walk.hpp"
+#include "analyzer/source/budget.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -74,6 +75,7 @@ const Rounds::Cycle& Rounds::headed_by(flow::NodeId head) {
     const auto [found, fresh] = by_head_.try_emplace(head);
     Cycle& cycle = found->second;
     if (!fresh) return cycle;
+    const Budget own = Budget::without_bound(); // the cycle is kept for others who ask
     flow::walk<flow::Direction::backward>(graph_, {head}, [&](flow::EdgeId edge, flow::NodeId from) {
         if (graph_.order[from] < graph_.order[head] || !analysis_.data().passable(edge))
             return flow::Step::refuse;
@@ -86,6 +88,7 @@ const Rounds::Cycle& Rounds::headed_by(flow::NodeId head) {
 }
 
 const Rounds::Cycle& Rounds::through(flow::NodeId node) {
+    const Budget own = Budget::without_bound(); // the cycle is kept for others who ask; see most_asked
     std::vector<bool> ahead(graph_.nodes.size(), false);
     measured_ += graph_.nodes.size();
     flow::walk<flow::Direction::forward>(graph_, {node}, [&](flow::EdgeId edge, flow::NodeId to) {

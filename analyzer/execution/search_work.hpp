@@ -1,20 +1,20 @@
 //! What the searches of a program look at.
 #pragma once
 
-#include "analyzer/source/work_limit.hpp"
+#include "analyzer/source/budget.hpp"
 
 #include <cstddef>
 
 namespace maclint::execution {
 
-/// Counts assumptions, expressions, variables and ways on that were looked at, for the thread's WorkLimit
+/// Counts assumptions, expressions, variables and ways on that were looked at, for the thread's Budget
 /// too.
 class SearchWork {
   public:
-    /// See WorkLimit.
+    /// See Budget.
     bool allows(std::size_t more) {
         done_ += more;
-        return WorkLimit::allows(more);
+        return Budget::allows(more);
     }
     [[nodiscard]] std::size_t done() const { return done_; }
 

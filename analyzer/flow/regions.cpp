@@ -2,7 +2,7 @@
 #include "analyzer/flow/regions.hpp"
 
 #include "analyzer/program/tables.hpp"
-#include "analyzer/source/work_limit.hpp"
+#include "analyzer/source/budget.hpp"
 
 #include <algorithm>
 #include <map>
@@ -275,13 +275,13 @@ std::optional<RegionId> Regions::loop_around(const Program& program, Offset offs
     if (after == all.begin()) return std::nullopt;
     std::optional<RegionId> id = static_cast<RegionId>(after - all.begin() - 1);
     while (id && !(is_loop(all[*id].region_kind) && holds(program, *id, offset)))
-        id = WorkLimit::allows() ? all[*id].closed_around : std::nullopt;
+        id = Budget::allows() ? all[*id].closed_around : std::nullopt;
     return id;
 }
 
 std::optional<RegionId> Regions::entered(const Program& program, Offset from, Offset to) const {
     std::optional<RegionId> entered;
-    for (auto id = loop_around(program, to); id && WorkLimit::allows(); id = all[*id].closed_around)
+    for (auto id = loop_around(program, to); id && Budget::allows(); id = all[*id].closed_around)
         if (holds(program, *id, to) && !holds(program, *id, from)) entered = id;
     return entered;
 }

@@ -4,7 +4,7 @@
 #include "analyzer/flow/graph.hpp"
 #include "analyzer/flow/met_nodes.hpp"
 #include "analyzer/flow/solve.hpp"
-#include "analyzer/source/work_limit.hpp"
+#include "analyzer/source/budget.hpp"
 
 #include <cstddef>
 #include <cstdint>
@@ -22,13 +22,13 @@ enum class Step : std::uint8_t {
 
 /// Asks `step(edge, node)` of the edges, taken forwards or backwards, from the nodes of `from`, and of those
 /// that it goes on from. The nodes of `from` count as not met: a cycle may lead back to them. It ends where
-/// the thread's WorkLimit is met.
+/// the thread's Budget is met.
 template<Direction direction, class Ask>
 void walk(const Graph& graph, std::vector<NodeId> from, const Ask& step) {
     constexpr bool forward = direction == Direction::forward;
     MetNodes met(graph.nodes.size());
     for (std::size_t next = 0; next < from.size(); ++next) {
-        if (!WorkLimit::allows()) return;
+        if (!Budget::allows()) return;
         const NodeId at = from[next];
         for (const EdgeId id : forward ? graph.out[at] : graph.in[at]) {
             const NodeId node = forward ? graph.edges[id].to : graph.edges[id].from;

@@ -52,6 +52,8 @@ struct MachineWords {
     double coolant_off = 9;
     /// So far the two ends of a circle may lie from one circle around its centre, in mm.
     double circle_tolerance = 0;
+    /// G codes of moves that a signal ends, and those whose words are data for offsets and parameters.
+    std::span<const double> skips = {}, settings = {};
     std::string_view source;
 };
 

@@ -70,6 +70,8 @@ struct VariableRange {
     /// addresses that move it, blanks between the axes. Of more axes than stand here any address may. Empty:
     /// no positions.
     std::string_view positions_of = {};
+    /// Where the axes were when a signal ended a move; the end of that move where none came.
+    bool is_skip_position = false;
 };
 
 /// What programmers mean by an index of which too little is known. An assumption: no control enforces it.

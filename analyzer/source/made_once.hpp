@@ -1,7 +1,7 @@
 //! A thing that is made when somebody asks for it first.
 #pragma once
 
-#include "analyzer/source/work_limit.hpp"
+#include "analyzer/source/budget.hpp"
 
 #include <atomic>
 #include <mutex>
@@ -20,7 +20,7 @@ class MadeOnce {
         if (!is_made_.load(std::memory_order_acquire)) {
             const std::scoped_lock lock(mutex_);
             if (!thing_) {
-                const WorkLimit::Pause pause; // nobody knows who asks first
+                const Budget own = Budget::without_bound(); // nobody knows who asks first
                 thing_ = make();
                 is_made_.store(true, std::memory_order_release);
             }

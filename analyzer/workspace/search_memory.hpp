@@ -1,6 +1,8 @@
 //! What searches for paths through a program keep for each other, and how many there were.
 #pragma once
 
+#include "analyzer/source/budget.hpp"
+
 #include <atomic>
 #include <cstddef>
 #include <memory>
@@ -25,9 +27,12 @@ class SearchMemory {
         if (kept_ == nullptr) kept_ = make();
         return search(*static_cast<Kept*>(kept_.get()));
     }
+    /// One more search, which the thread's Budget learns of where it gave up.
     void count(bool gave_up) {
         ++searches_;
-        if (gave_up) ++gave_up_;
+        if (!gave_up) return;
+        ++gave_up_;
+        Budget::note_given_up();
     }
     [[nodiscard]] SearchCounts counts() const { return {searches_, gave_up_}; }
     /// What is kept goes, the counts stay.

@@ -444,7 +444,7 @@ class WorkspaceBuilder {
         if (!analysis.callers_.empty()) return false;
         return std::ranges::any_of(analysis.facts().all<dataflow::Read>(), [&](const dataflow::Read& read) {
             const auto symbol = analysis.data().table().symbols[read.value.symbol];
-            return symbol.kind == dataflow::Symbol::Kind::entry &&
+            return symbol.kind() == dataflow::Symbol::Kind::entry &&
                    analysis.program().is_formal(read.variable);
         });
     }

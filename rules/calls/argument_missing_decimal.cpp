@@ -3,7 +3,7 @@
 #include "analyzer/program/tables.hpp"
 #include "analyzer/queries/calls/call_words.hpp"
 #include "analyzer/queries/calls/callers.hpp"
-#include "analyzer/source/work_limit.hpp"
+#include "analyzer/source/budget.hpp"
 #include "rules/fixes.hpp"
 #include "rules/path.hpp"
 #include "rules/rule.hpp"
@@ -74,7 +74,7 @@ bool has_point(const Word& word) {
 const Word* word_that_moves(const ProgramAnalysis& called, Variable variable, std::string_view lengths) {
     const Program& program = called.program();
     for (const dataflow::Read& read : called.facts().all<dataflow::Read>()) {
-        if (!WorkLimit::allows()) return nullptr;
+        if (!Budget::allows()) return nullptr;
         if (read.variable != variable || read.use != dataflow::Use::word) continue;
         const Offset at = program.expressions[read.expression].span.begin;
         const auto after =

@@ -21,9 +21,9 @@ extern const Rule call_ends_in_alarm{
     .name = "call-ends-in-alarm",
     .summary = "The called program comes to its own alarm on every path",
     .why =
-        "The call leaves out an argument that the program asks for, or the program runs into an alarm that "
-        "is there "
-        "for a test. The machine stops there each time, and what follows the call is never run. A call "
+        "The call leaves out an argument that the program asks for, or passes a number that it refuses, or "
+        "the program runs into an alarm that is there for a test. The machine stops there each time, and "
+        "what follows the call is never run. A call "
         "behind a test, of a program that does nothing but raise alarms, is meant to stop.",
     .severity = Severity::error,
     .precision = Precision::high,
@@ -39,6 +39,10 @@ extern const Rule call_ends_in_alarm{
           "Write them in this order."},
          {"vacant", "Call ends in an alarm: with what '{0}' leaves out, {2} always comes to {3}.",
           "Pass what it asks for."},
+         {"number", "Call ends in an alarm: for the number that {1} has at '{0}', {2} always comes to {3}.",
+          "Pass another one."},
+         {"numbers", "Call ends in an alarm: for the numbers at '{0}', {2} always comes to {3}.",
+          "Pass others."},
          {"fallen-in", "Call ends in an alarm: {2} runs into {3} on every path, whatever is passed to it.",
           "End {2} before that, with M99 or a GOTO."},
          {"always", "Call ends in an alarm: {2} comes to {3}, whatever is passed to it.",
@@ -64,6 +68,17 @@ G91G1X#1F200.
 G90
 N99#3000=101(A MISSING)
 M99
+)nc"},
+            {"fanuc", R"nc(
+O0001(MAIN)
+G65P9473D7.
+M30
+O9473(OFFSET, D FROM 2 TO 5)
+IF[#7LT2]GOTO99
+IF[#7GT5]GOTO99
+G0X[#[2400+#7]]
+M99
+N99#3000=101(D)
 )nc"}},
     .good = {{"fanuc", R"nc(
 O0001(MAIN)
@@ -103,14 +118,15 @@ namespace {
 
 std::string names_of(const AlarmedCall& call) {
     std::string names;
-    for (const Variable variable : call.vacant)
+    for (const Variable variable : call.asked)
         names += (names.empty() ? "" : ", ") + with_letter(*call.called, variable);
     return names;
 }
 
 std::string_view message_for(const AlarmedCall& call) {
     switch (call.reason) {
-    case AlarmReason::left_out: return call.vacant.empty() ? "vacant" : "left-out";
+    case AlarmReason::left_out: return call.asked.empty() ? "vacant" : "left-out";
+    case AlarmReason::number: return call.asked.empty() ? "numbers" : "number";
     case AlarmReason::out_of_order: return "order";
     case AlarmReason::fallen_in: return "fallen-in";
     case AlarmReason::always: break;

@@ -1,4 +1,4 @@
-//! Begins the called programs with what is vacant at the calls, and looks for the nearest alarm.
+//! Begins the called programs with what is known at the calls, and looks for the nearest alarm.
 #include "rules/calls/call_ends_in_alarm_finder.hpp"
 
 #include "analyzer/dataflow/domain/read_set.hpp"
@@ -6,7 +6,7 @@
 #include "analyzer/flow/walk.hpp"
 #include "analyzer/program/tables.hpp"
 #include "analyzer/queries/calls/callers.hpp"
-#include "analyzer/source/work_limit.hpp"
+#include "analyzer/source/budget.hpp"
 
 #include <algorithm>
 #include <limits>
@@ -83,7 +83,7 @@ class Nearest {
     template<class Ask>
     std::optional<flow::NodeId> find(const Ask& is_end) {
         for (std::size_t i = 0; i < nearest_.size(); ++i) {
-            if (!WorkLimit::allows()) break;
+            if (!Budget::allows()) break;
             const flow::NodeId node = nearest_[i];
             if (is_end(node)) return node;
             for (const flow::EdgeId edge : graph_.out[node])
@@ -163,27 +163,30 @@ std::optional<flow::NodeId> last_test(const ProgramAnalysis& called, const Edges
     });
 }
 
-/// Whether the call gives the variable nothing.
-bool is_left_vacant(const ProgramAnalysis& called, const KnownStart& start, Variable variable) {
-    if (std::ranges::find(start.known, variable, &dataflow::KnownVariable::variable) != start.known.end())
-        return true;
+bool has_number(const dataflow::KnownVariable& known) { return known.number.has_value(); }
+bool has_numbers(const KnownStart& start) { return std::ranges::any_of(start.known, has_number); }
+
+/// Whether the start decides what the variable is: a number where it knows any, else vacant.
+bool is_decided(const ProgramAnalysis& called, const KnownStart& start, Variable variable) {
+    const auto known = std::ranges::find(start.known, variable, &dataflow::KnownVariable::variable);
+    if (has_numbers(start)) return known != start.known.end() && has_number(*known);
+    if (known != start.known.end()) return true;
     using Passed = std::pair<Variable, dataflow::Vacancy>;
     return start.arguments && called.program().is_formal(variable) &&
            std::ranges::find(*start.arguments, variable, &Passed::first) == start.arguments->end();
 }
 
 /// What the condition of the test reads of it.
-std::vector<Variable> vacant_at(const ProgramAnalysis& called, flow::NodeId test, const KnownStart& start) {
-    std::vector<Variable> vacant;
+std::vector<Variable> asked_at(const ProgramAnalysis& called, flow::NodeId test, const KnownStart& start) {
+    std::vector<Variable> asked;
     for (const flow::EdgeId edge : called.graph().out[test]) {
         const auto& condition = called.graph().edges[edge].condition;
         if (!condition) continue;
         for (const Variable variable : dataflow::variables_of(called.program(), *condition).variables)
-            if (is_left_vacant(called, start, variable) &&
-                std::ranges::find(vacant, variable) == vacant.end())
-                vacant.push_back(variable);
+            if (is_decided(called, start, variable) && std::ranges::find(asked, variable) == asked.end())
+                asked.push_back(variable);
     }
-    return vacant;
+    return asked;
 }
 
 /// The same start of the same program leads to the same alarm.
@@ -200,17 +203,18 @@ class Finder {
     std::vector<AlarmedCall> run() {
         std::vector<AlarmedCall> found;
         for (const CallBegun& begun : analysis_.facts().all<CallBegun>()) {
-            if (!WorkLimit::allows()) break;
+            if (!Budget::allows()) break;
             const CallSite* site = analysis_.call_at(begun.effect);
             const ProgramAnalysis* called =
                 site == nullptr ? nullptr : queries::called_program(analysis_, *site);
             if (called == nullptr || is_made_to_stop(begun, *called)) continue;
-            const auto& end = follow(*called, begun.start);
+            const auto& end = end_for(*called, begun);
             if (end && told_.insert(begun.effect).second) {
                 found.push_back(*end);
                 found.back().node = begun.node;
                 found.back().call = begun.effect;
-                if (is_out_of_order(begun.effect, found.back()))
+                if (found.back().reason == AlarmReason::left_out &&
+                    is_out_of_order(begun.effect, found.back()))
                     found.back().reason = AlarmReason::out_of_order;
             }
         }
@@ -232,7 +236,7 @@ class Finder {
         const auto arguments =
             analysis_.program().arguments_of(queries::call_of(analysis_.program(), effect));
         const ControlModel& control = alarmed.called->control();
-        return std::ranges::any_of(alarmed.vacant, [&](Variable variable) {
+        return std::ranges::any_of(alarmed.asked, [&](Variable variable) {
             const auto formal = std::ranges::find(control.formals, variable) - control.formals.begin();
             const auto place = static_cast<std::size_t>(formal);
             return place < control.formal_letters.size() &&
@@ -242,6 +246,11 @@ class Finder {
                               argument.address == std::string_view(&control.formal_letters[place], 1);
                    });
         });
+    }
+
+    const std::optional<AlarmedCall>& end_for(const ProgramAnalysis& called, const CallBegun& begun) {
+        const auto& end = follow(called, begun.start);
+        return end || begun.with_numbers.known.empty() ? end : follow(called, begun.with_numbers);
     }
 
     const std::optional<AlarmedCall>& follow(const ProgramAnalysis& called, const KnownStart& start) {
@@ -274,8 +283,8 @@ class Finder {
         if (!test) return std::nullopt;
         auto alarm = nearest_alarm(called, edges, *test, most_levels);
         if (!alarm) return std::nullopt;
-        return AlarmedCall{
-            0, 0, &called, AlarmReason::left_out, vacant_at(called, *test, start), std::move(*alarm)};
+        const AlarmReason reason = has_numbers(start) ? AlarmReason::number : AlarmReason::left_out;
+        return AlarmedCall{0, 0, &called, reason, asked_at(called, *test, start), std::move(*alarm)};
     }
 
     const ProgramAnalysis& analysis_;

@@ -25,6 +25,7 @@ struct AlarmReached {
 
 enum class AlarmReason : std::uint8_t {
     left_out,     ///< for what the call leaves out, or passes vacant
+    number,       ///< for the numbers that it passes, or that are there when it is made
     out_of_order, ///< for a letter that it passes behind a later one of its kind, where it counts as another
     fallen_in,    ///< whatever the call passes: blocks run into an alarm that is there for a test
     always,       ///< whatever the call passes
@@ -35,14 +36,14 @@ struct AlarmedCall {
     EffectId call;
     const ProgramAnalysis* called;
     AlarmReason reason;
-    std::vector<Variable>
-        vacant; ///< for the first two: what conditions on the path ask for, as far as is seen
+    /// For the first three: what conditions on the path ask for, as far as is seen: vacant, or with a number.
+    std::vector<Variable> asked;
     AlarmReached alarm;
 };
 
-/// In text order, each call once. Only what is vacant decides, numbers do not. Calls that are made to raise
-/// the alarm are none: another path leads around them, no work stands behind them that only they lead to, and
-/// their program does nothing else.
+/// In text order, each call once. What is vacant is asked first, then numbers with it. Calls that are made to
+/// raise the alarm are none: another path leads around them, no work stands behind them that only they lead
+/// to, and their program does nothing else.
 [[nodiscard]] std::vector<AlarmedCall> find_alarmed_calls(const ProgramAnalysis& analysis);
 
 } // namespace maclint::rules

@@ -1,7 +1,7 @@
 //! MAC417: how often a program runs stands in the digits of its number.
 #include "analyzer/program/tables.hpp"
 #include "analyzer/queries/calls/call_words.hpp"
-#include "analyzer/source/work_limit.hpp"
+#include "analyzer/source/budget.hpp"
 #include "rules/fixes.hpp"
 #include "rules/path.hpp"
 #include "rules/rule.hpp"
@@ -83,7 +83,7 @@ std::optional<std::int64_t> number_in(const Program& program, const queries::Cal
 }
 
 bool is_there(const ProgramAnalysis& analysis, std::int64_t number) {
-    return any_within_limit(analysis.workspace().programs(), [number](const ProgramAnalysis& other) {
+    return any_within_budget(analysis.workspace().programs(), [number](const ProgramAnalysis& other) {
         return other.program().number == number;
     });
 }

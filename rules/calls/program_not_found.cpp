@@ -2,7 +2,7 @@
 #include "analyzer/program/tables.hpp"
 #include "analyzer/queries/calls/callers.hpp"
 #include "analyzer/queries/structure/sections.hpp"
-#include "analyzer/source/work_limit.hpp"
+#include "analyzer/source/budget.hpp"
 #include "analyzer/workspace/program_analysis.hpp"
 #include "rules/path.hpp"
 #include "rules/rule.hpp"
@@ -64,7 +64,7 @@ namespace {
 
 /// The file holds a program up to its last word, and so all that belongs to it.
 bool is_closed(const ProgramAnalysis& analysis) {
-    return any_within_limit(analysis.file().programs, [](const Program& program) {
+    return any_within_budget(analysis.file().programs, [](const Program& program) {
         return queries::has_section(program, SectionKind::Role::end);
     });
 }

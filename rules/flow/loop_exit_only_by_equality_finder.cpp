@@ -4,7 +4,7 @@
 #include "analyzer/program/tables.hpp"
 #include "analyzer/queries/calls/callers.hpp"
 #include "analyzer/queries/paths/feasible_paths.hpp"
-#include "analyzer/source/work_limit.hpp"
+#include "analyzer/source/budget.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -35,7 +35,7 @@ std::optional<Variable> argument_as_bound(const ProgramAnalysis& analysis, Expre
 std::optional<MissedBound> passed_number(const ProgramAnalysis& analysis, MissedBound missed,
                                          Variable bound) {
     for (const Caller& caller : analysis.callers()) {
-        if (!WorkLimit::allows()) return std::nullopt;
+        if (!Budget::allows()) return std::nullopt;
         const Argument* argument = queries::argument_for(analysis, caller, bound);
         if (argument == nullptr || !queries::opens_locals(analysis, caller)) continue;
         const Program& calling = queries::calling_program(analysis, caller).program();

@@ -12,7 +12,7 @@
 #include "analyzer/queries/paths/feasible_paths.hpp"
 #include "analyzer/queries/values/copies.hpp"
 #include "analyzer/queries/values/origins.hpp"
-#include "analyzer/source/work_limit.hpp"
+#include "analyzer/source/budget.hpp"
 
 #include <algorithm>
 
@@ -71,7 +71,7 @@ class MisplacedSaves {
     /// An earlier save of the same group in another variable, which a word on the same path puts back.
     [[nodiscard]] std::optional<Span> other_save(const PutBack& back) const {
         const auto found = std::ranges::find_if(put_back_, [&](const PutBack& other) {
-            return WorkLimit::allows() && other.group == back.group &&
+            return Budget::allows() && other.group == back.group &&
                    !(other.save->variable == back.save->variable) && other.save->effect < back.save->effect &&
                    queries::can_follow(analysis_, other.save->node, back.save->node) &&
                    (other.write->node == back.write->node ||

@@ -5,7 +5,7 @@
 #include "analyzer/program/tables.hpp"
 #include "analyzer/queries/conditions/conditions.hpp"
 #include "analyzer/queries/paths/feasible_paths.hpp"
-#include "analyzer/source/work_limit.hpp"
+#include "analyzer/source/budget.hpp"
 
 #include <algorithm>
 #include <optional>
@@ -30,7 +30,7 @@ std::optional<Saved> saved_by(const ProgramAnalysis& analysis, const dataflow::S
 bool reaches(const ProgramAnalysis& analysis, const dataflow::Store& store, flow::NodeId node) {
     std::vector<flow::NodeId> others;
     const auto all = analysis.facts().about<dataflow::Store>(store.variable);
-    if (!WorkLimit::allows(all.size())) return false;
+    if (!Budget::allows(all.size())) return false;
     for (const dataflow::Store* other : all)
         if (other->node != store.node && other->node != node) others.push_back(other->node);
     return store.node != node && queries::can_follow(analysis, store.node, node, others);
@@ -42,7 +42,7 @@ std::optional<Saved> saved_before(const ProgramAnalysis& analysis, const dataflo
     if (const dataflow::Store* save = queries::store_of(analysis, store.old))
         return saved_by(analysis, *save);
     for (const dataflow::Store* save : analysis.facts().about<dataflow::Store>(store.variable)) {
-        if (!WorkLimit::allows()) break;
+        if (!Budget::allows()) break;
         const auto saved = saved_by(analysis, *save);
         if (saved && reaches(analysis, *save, store.node)) return saved;
     }
@@ -84,7 +84,7 @@ std::vector<const dataflow::Store*> stores_for(const ProgramAnalysis& analysis,
         return stores;
     }
     for (const dataflow::Store* store : analysis.facts().about<dataflow::Store>(variable)) {
-        if (!WorkLimit::allows()) break;
+        if (!Budget::allows()) break;
         if (saved_before(analysis, *store) && reaches(analysis, *store, write.node)) stores.push_back(store);
     }
     return stores;

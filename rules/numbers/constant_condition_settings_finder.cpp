@@ -44,7 +44,7 @@ bool Settings::is_setting(const dataflow::Read& read, int depth) const {
         return is_setting(*store, depth);
     if (queries::is_made_by_call(analysis_, read.value.origin)) return read.value.constant().has_value();
     const bool joined =
-        analysis_.data().table().symbols[read.value.symbol].kind == dataflow::Symbol::Kind::joined;
+        analysis_.data().table().symbols[read.value.symbol].kind() == dataflow::Symbol::Kind::joined;
     const auto known = only_numbers_.find(dataflow::key_of(read.variable));
     return joined && known != only_numbers_.end() && known->second;
 }

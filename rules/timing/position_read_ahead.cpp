@@ -90,7 +90,7 @@ void check(const ProgramAnalysis& analysis, Reporter& reporter) {
     std::set<EffectId> conditions;          // one condition, one finding
     const auto look_at = [&](EffectId effect, ExpressionId value, Span use, std::string_view message) {
         for (const PositionRead& read : positions_in(analysis, effect, value)) {
-            const auto move = unfinished_move_before(analysis, read);
+            const auto move = unfinished_move_before(analysis, read.node, read.addresses);
             if (!move || !said.insert(read.expression).second) continue;
             if (message == "compared" && !conditions.insert(effect).second) continue;
             const Span span = program.expressions[read.expression].span;

@@ -5,7 +5,7 @@
 #include "analyzer/flow/walk.hpp"
 #include "analyzer/program/block_view.hpp"
 #include "analyzer/program/tables.hpp"
-#include "analyzer/source/work_limit.hpp"
+#include "analyzer/source/budget.hpp"
 
 #include <algorithm>
 
@@ -33,10 +33,11 @@ std::string_view addresses_of(std::string_view axes, std::int32_t axis) {
 /// Gathers the positions in expressions and in what was calculated before.
 class Gather {
   public:
-    Gather(const ProgramAnalysis& analysis, EffectId effect)
+    Gather(const ProgramAnalysis& analysis, EffectId effect, Positions which)
         : analysis_(analysis)
         , program_(analysis.program())
-        , effect_(effect) {}
+        , effect_(effect)
+        , which_(which) {}
 
     void expression(ExpressionId id, flow::NodeId node, bool subtracted) {
         const auto& at = program_.expressions[id].node;
@@ -72,25 +73,30 @@ class Gather {
         const auto* machine = std::get_if<LoadMachine>(&program_.expressions[id].node);
         if (machine == nullptr) return false;
         const VariableRange* range = analysis_.control().families[machine->family].find(machine->number);
-        if (range == nullptr || range->positions_of.empty()) return false;
+        if (range == nullptr) return false;
+        const bool is_kept = which_ == Positions::when_touched && range->is_skip_position;
+        if (range->positions_of.empty() && !is_kept) return false;
         const std::int32_t axis = machine->number - range->first;
-        found_.push_back({id, node, axis, addresses_of(range->positions_of, axis), subtracted});
+        found_.push_back({id, node, axis, addresses_of(range->positions_of, axis), subtracted, is_kept});
         return true;
     }
 
     void symbol(SymbolId id, bool subtracted, int depth) {
         const Symbol& symbol = analysis_.data().table().symbols[id];
-        if (symbol.kind == Symbol::Kind::opaque && symbol.b == 0 && symbol.a < program_.expressions.size())
-            add(static_cast<ExpressionId>(symbol.a), symbol.c, subtracted);
-        if (symbol.kind != Symbol::Kind::result || depth == 0) return;
-        const auto operation = static_cast<Operation>(symbol.a);
-        this->symbol(symbol.b, subtracted != changes_sign(operation, 0), depth - 1);
-        if (symbol.c != 0) this->symbol(symbol.c, subtracted != changes_sign(operation, 1), depth - 1);
+        const auto expression = symbol.expression();
+        if (expression && *expression < program_.expressions.size())
+            add(static_cast<ExpressionId>(*expression), symbol.evaluated_at(), subtracted);
+        if (symbol.kind() != Symbol::Kind::result || depth == 0) return;
+        const Operation operation = symbol.operation();
+        this->symbol(symbol.first(), subtracted != changes_sign(operation, 0), depth - 1);
+        if (symbol.second() != 0)
+            this->symbol(symbol.second(), subtracted != changes_sign(operation, 1), depth - 1);
     }
 
     const ProgramAnalysis& analysis_;
     const Program& program_;
     EffectId effect_;
+    Positions which_;
     std::vector<PositionRead> found_;
 };
 
@@ -132,7 +138,7 @@ Passed passed_at(const ProgramAnalysis& analysis, flow::NodeId id, std::string_v
     Passed passed;
     for_each_block_with_words(program, node.stretch(),
                               [&](const BlockView& block, std::span<const Word> words) {
-                                  (void)WorkLimit::allows(); // a long run is walked through as one node
+                                  (void)Budget::allows(); // a long run is walked through as one node
                                   const bool moves = block.moves || motion != effects.end();
                                   if (moves && names_one_of(words, addresses))
                                       passed = {false, block.moves ? block.span : motion->span};
@@ -154,25 +160,25 @@ bool limits_look_ahead(const Program& program) {
 }
 
 std::vector<PositionRead> positions_in(const ProgramAnalysis& analysis, EffectId effect,
-                                       ExpressionId expression) {
+                                       ExpressionId expression, Positions which) {
     const auto node = analysis.graph().node_of(effect);
     if (!node) return {};
-    Gather gather(analysis, effect);
+    Gather gather(analysis, effect, which);
     gather.expression(expression, *node, false);
     return gather.found();
 }
 
-std::optional<UnfinishedMove> unfinished_move_before(const ProgramAnalysis& analysis,
-                                                     const PositionRead& read) {
+std::optional<UnfinishedMove> unfinished_move_before(const ProgramAnalysis& analysis, flow::NodeId node,
+                                                     std::string_view addresses) {
     std::optional<UnfinishedMove> found;
     std::size_t looked_at = 0;
     flow::walk<flow::Direction::backward>(
-        analysis.graph(), {read.node}, [&](flow::EdgeId edge, flow::NodeId from) {
+        analysis.graph(), {node}, [&](flow::EdgeId edge, flow::NodeId from) {
             if (found || looked_at == most_nodes_before || !analysis.data().passable(edge) ||
                 !analysis.data().reached(from))
                 return flow::Step::refuse;
             ++looked_at;
-            const Passed passed = passed_at(analysis, from, read.addresses);
+            const Passed passed = passed_at(analysis, from, addresses);
             if (passed.ends_moves) return flow::Step::end;
             if (passed.move) found = UnfinishedMove{from, *passed.move};
             return passed.move ? flow::Step::end : flow::Step::go_on;

@@ -5,7 +5,6 @@
 #include "analyzer/dataflow/facts/clobber.hpp"
 #include "analyzer/dataflow/facts/comparison.hpp"
 #include "analyzer/dataflow/facts/store.hpp"
-#include "analyzer/execution/given_up.hpp"
 #include "analyzer/execution/path_search.hpp"
 #include "analyzer/program/tables.hpp"
 #include "analyzer/queries/calls/callers.hpp"
@@ -229,7 +228,7 @@ bool callers_set(const ProgramAnalysis& analysis, Variable variable) {
     if (std::ranges::any_of(analysis.callers(), sets)) return true;
     const PossibleCallers possible = analysis.possible_callers();
     if (std::ranges::any_of(possible.first, sets)) return true;
-    if (!possible.all) execution::GivenUp::note(analysis.search_memory());
+    if (!possible.all) analysis.search_memory().count(true);
     return !possible.all;
 }
 

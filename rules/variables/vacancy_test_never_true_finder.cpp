@@ -28,7 +28,7 @@ bool is_zero(const Program& program, ExpressionId expression) {
 /// #100=#400 after a test of #400: nothing was calculated, and yet it is known to be set.
 bool is_tested_copy(const ProgramAnalysis& analysis, const dataflow::Value& value) {
     using Kind = dataflow::Symbol::Kind;
-    const Kind kind = analysis.data().table().symbols[value.symbol].kind;
+    const Kind kind = analysis.data().table().symbols[value.symbol].kind();
     return kind == Kind::entry || kind == Kind::opaque;
 }
 
@@ -62,8 +62,9 @@ KeptArguments::FirstCopies KeptArguments::find_first_copies() const {
     const auto& symbols = analysis_.data().table().symbols;
     for (const dataflow::Store& store : analysis_.facts().all<dataflow::Store>()) {
         const dataflow::Symbol& symbol = symbols[store.value.symbol];
-        if (symbol.kind == dataflow::Symbol::Kind::entry && symbol.a != dataflow::key_of(store.variable))
-            copies.try_emplace(symbol.a, &store);
+        if (symbol.kind() == dataflow::Symbol::Kind::entry &&
+            symbol.key() != dataflow::key_of(store.variable))
+            copies.try_emplace(symbol.key(), &store);
     }
     return copies;
 }

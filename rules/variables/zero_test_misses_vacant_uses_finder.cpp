@@ -3,7 +3,6 @@
 
 #include "analyzer/dataflow/facts/store.hpp"
 #include "analyzer/dialect/ascii.hpp"
-#include "analyzer/execution/given_up.hpp"
 #include "analyzer/program/tables.hpp"
 #include "analyzer/queries/conditions/conditions.hpp"
 #include "analyzer/queries/paths/feasible_paths.hpp"
@@ -45,9 +44,15 @@ class VacantPath {
         pending_.assign(1, 0);
         seen_.assign(seen_.size(), false);
         seen_[0] = true;
-        for (std::size_t next = 0; next < std::min(pending_.size(), most_nodes_before) && !seen_[test_.node];
-             ++next)
-            if (!sets_variable(pending_[next])) take_edges(pending_[next]);
+        std::size_t next = 0;
+        while (next < pending_.size() && !seen_[test_.node]) { // it grows on the way
+            if (next == most_nodes_before) {
+                analysis_.search_memory().count(true);
+                break;
+            }
+            const flow::NodeId node = pending_[next++];
+            if (!sets_variable(node)) take_edges(node);
+        }
         return seen_[test_.node];
     }
 
@@ -59,7 +64,7 @@ class VacantPath {
         std::size_t next = 0;
         while (next < pending_.size() && !found.use) { // it grows on the way
             if (next == most_nodes) {
-                execution::GivenUp::note(analysis_.search_memory());
+                analysis_.search_memory().count(true);
                 break;
             }
             const flow::NodeId node = pending_[next++];

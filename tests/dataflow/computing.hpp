@@ -16,7 +16,7 @@ class Arithmetic : public testing::Test {
 
     Value range(double low, double high) {
         Value value;
-        value.symbol = table.symbols({Symbol::Kind::opaque, ++values_, 0, 0});
+        value.symbol = table.symbols(Symbol::opaque(++values_));
         value.low = low;
         value.high = high;
         value.vacancy = Vacancy::set;

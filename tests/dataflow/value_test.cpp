@@ -19,9 +19,9 @@ TEST(ValueTable, HasOneSymbolForANumberAndOneZero) {
 
 TEST(ValueTable, TellsWhatASymbolStandsFor) {
     ValueTable table;
-    const SymbolId unknown = table.symbols({Symbol::Kind::opaque, 5, 6, 7});
-    const SymbolId group = table.symbols({Symbol::Kind::entry_group, 3, 0, 0});
-    const SymbolId if_set = table.symbols({Symbol::Kind::if_set, unknown, 1, 2});
+    const SymbolId unknown = table.symbols(Symbol::opaque(5, 6, 7));
+    const SymbolId group = table.symbols(Symbol::group_at_entry(3));
+    const SymbolId if_set = table.symbols(Symbol::value_if_set(unknown, 1, 2));
     EXPECT_EQ(table.number_of(unknown), std::nullopt);
     EXPECT_EQ(table.number_of(group), std::nullopt);
     EXPECT_EQ(table.entry_group_of(group), GroupId{3});
@@ -37,7 +37,7 @@ TEST(ValueTable, OfAFewNumbersTheLastOneThatIsLeftIsTheValue) {
     ValueTable table;
     Value few = number_value(table, 5);
     few.choices = table.either(number_value(table, 0), number_value(table, 5));
-    few.symbol = table.symbols({Symbol::Kind::joined, 1, 2, 0});
+    few.symbol = table.symbols(Symbol::joined_at(1, 2));
     few.low = 0;
     const auto left = [&](double number, Vacancy vacancy) {
         Value value = few;

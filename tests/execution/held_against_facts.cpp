@@ -154,24 +154,24 @@ std::optional<HeldAgainstFacts::Content> HeldAgainstFacts::value_of(dataflow::Sy
     const Level& level = levels_.back();
     const dataflow::ValueTable& table = level.analysis->data().table();
     const Symbol& symbol = table.symbols[id];
-    switch (symbol.kind) {
+    switch (symbol.kind()) {
     case Symbol::Kind::constant: return Content{table.number_of(id)};
     case Symbol::Kind::vacant: return Content{};
-    case Symbol::Kind::entry_group: return Content{level.codes[symbol.a]};
+    case Symbol::Kind::entry_group: return Content{level.codes[symbol.group()]};
     case Symbol::Kind::entry: {
         const Watched& watched = watched_.at(level.analysis);
-        const auto variable = std::ranges::find(watched, dataflow::variable_of(symbol.a));
+        const auto variable = std::ranges::find(watched, dataflow::variable_of(symbol.key()));
         if (variable == watched.end()) return std::nullopt;
         return level.variables[static_cast<std::size_t>(variable - watched.begin())];
     }
     case Symbol::Kind::if_set: { // otherwise what was in force before
-        const auto asked_for = value_of(static_cast<dataflow::SymbolId>(symbol.a));
+        const auto asked_for = value_of(symbol.word_value());
         return asked_for && *asked_for ? asked_for : std::nullopt;
     }
     case Symbol::Kind::result: {
-        const auto operation = static_cast<Operation>(symbol.a);
-        const auto left = value_of(symbol.b);
-        const auto right = is_binary(operation) ? value_of(symbol.c) : Content{};
+        const Operation operation = symbol.operation();
+        const auto left = value_of(symbol.first());
+        const auto right = is_binary(operation) ? value_of(symbol.second()) : Content{};
         if (!left || !right) return std::nullopt;
         const std::array operands{*left, *right};
         const auto result = semantics::compute(

@@ -1,7 +1,7 @@
 //! What a path costs: not the blocks on it, but what their conditions compare with what was assumed before.
 #include "analyzer/execution/path_run.hpp"
 #include "analyzer/queries/paths/feasible_paths.hpp"
-#include "analyzer/source/work_limit.hpp"
+#include "analyzer/source/budget.hpp"
 #include "tests/support/analysed.hpp"
 
 #include <array>
@@ -76,13 +76,13 @@ TEST(SearchWork, OfAStepCountsForEachSearchButIsDoneOnce) {
     const ProgramAnalysis& program = workspace->programs().front();
     execution::SearchWork work;
     execution::PathRun run(program, work, no_bound);
-    const WorkLimit plenty(no_bound);
+    const Budget plenty(no_bound);
     pass_all(program.graph(), run);
-    EXPECT_FALSE(plenty.is_met());
+    EXPECT_FALSE(plenty.is_spent());
     const std::size_t done = work.done();
-    const WorkLimit little(done - 1);
+    const Budget little(done - 1);
     pass_all(program.graph(), run);
-    EXPECT_TRUE(little.is_met());
+    EXPECT_TRUE(little.is_spent());
     EXPECT_EQ(work.done(), done);
 }
 
@@ -92,9 +92,9 @@ TEST(SearchWork, OfOneStepIsBounded) {
     constexpr std::size_t most = 1000; // of some 60,000, and all 250 are evaluated
     execution::SearchWork work;
     execution::PathRun run(program, work, most);
-    const WorkLimit limit(most);
+    const Budget budget(most);
     pass_all(program.graph(), run);
-    EXPECT_TRUE(limit.is_met());
+    EXPECT_TRUE(budget.is_spent());
     EXPECT_LT(work.done(), 40 * most);
 }
 

@@ -22,11 +22,11 @@ OriginId rounding_of(ValueTable& table, Operation operation, std::span<const Val
 
 Symbol symbol_of(Operation operation, std::span<const Value> v, const Origin& here) {
     const bool fits = v.size() <= 2 && operation != Operation::unknown;
-    if (!fits) return {Symbol::Kind::opaque, here.id, 1, here.node};
+    if (!fits) return Symbol::opaque(here.id, 1, here.node);
     SymbolId first = v[0].symbol;
     SymbolId second = v.size() < 2 ? 0 : v[1].symbol;
     if (semantics::is_commutative(operation) && second < first) std::swap(first, second);
-    return {Symbol::Kind::result, static_cast<std::uint64_t>(operation), first, second};
+    return Symbol::result_of(operation, first, second);
 }
 
 } // namespace

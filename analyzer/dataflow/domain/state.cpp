@@ -40,7 +40,7 @@ States::States(const Program& program, EntryKnowledge knowledge)
         if (knowledge_.entry == Entry::main && group.reset)
             value.parts = {{table_.constant(*group.reset), 0}};
         else
-            value.parts = {{table_.symbols({Symbol::Kind::entry_group, i}), 0}};
+            value.parts = {{table_.symbols(Symbol::group_at_entry(i)), 0}};
         entry_modals_.push_back(table_.modals(value));
     }
 }
@@ -96,14 +96,14 @@ Value States::typed(const Value& value, Variable variable) {
     Value held = value;
     held.choices = 0;
     if (type == VariableType::text) {
-        held.symbol = table_.symbols({Symbol::Kind::opaque, value.symbol, variable.space, 4});
+        held.symbol = table_.symbols(Symbol::opaque(value.symbol, variable.space, 4));
         return held;
     }
     held.know(semantics::stored_in(type, value));
     held.rounding = 0;
     if (semantics::fits(type, value)) return held;
     if (value.constant()) return number_value(table_, held.low);
-    held.symbol = table_.symbols({Symbol::Kind::opaque, value.symbol, variable.space, 5});
+    held.symbol = table_.symbols(Symbol::opaque(value.symbol, variable.space, 5));
     return held;
 }
 
@@ -111,7 +111,7 @@ Value States::entry_value(Variable variable) {
     const VariableSpace& space = program_.control->spaces[variable.space];
     const OriginId origin = table_.origins(Origin::at_entry(variable));
     Value value;
-    value.symbol = table_.symbols({Symbol::Kind::entry, key_of(variable)});
+    value.symbol = table_.symbols(Symbol::at_entry(key_of(variable)));
     const auto known = std::ranges::find(knowledge_.known, variable, &KnownVariable::variable);
     if (known != knowledge_.known.end())
         return known->number ? number_value(table_, *known->number) : vacant_value(table_, origin);
@@ -140,7 +140,7 @@ Value States::absent(const State& state, Key key) {
     const SymbolId site = table_.havoc(state.havoc).by_space[variable_of(key).space];
     if (site == 0) return table_.values[entry_id(key)];
     Value value;
-    value.symbol = table_.symbols({Symbol::Kind::opaque, key, site, 1});
+    value.symbol = table_.symbols(Symbol::opaque(key, site, 1));
     return value;
 }
 
@@ -225,7 +225,7 @@ void States::havoc(State& state, SpaceId space, const Origin& site) {
     const Key first = (Key{space} + 1) << 32U;
     state.root = maps_.without(state.root, first, first | 0xFFFFFFFFU);
     HavocSet havoc = table_.havoc(state.havoc);
-    havoc.by_space[space] = table_.symbols({Symbol::Kind::opaque, site.id, 2, site.node});
+    havoc.by_space[space] = table_.symbols(Symbol::opaque(site.id, 2, site.node));
     state.havoc = table_.remember(havoc);
 }
 
@@ -241,7 +241,7 @@ Value States::join_values(const Value& a, const Value& b, Key key, std::uint32_t
     if (a == b) return a;
     Value joined;
     joined.know(semantics::join(a, b));
-    joined.symbol = a.symbol == b.symbol ? a.symbol : table_.symbols({Symbol::Kind::joined, key, node});
+    joined.symbol = a.symbol == b.symbol ? a.symbol : table_.symbols(Symbol::joined_at(key, node));
     joined.origin = joined_origin(a, b);
     joined.vacancy_origin =
         a.vacancy_origin != 0 && !is_entry_of(b.vacancy_origin, key) ? a.vacancy_origin : b.vacancy_origin;
@@ -300,7 +300,7 @@ State States::merge(const State& a, const State& b, std::uint32_t node, Widening
     const HavocSet other = table_.havoc(b.havoc);
     for (std::size_t space = 0; space < most_spaces; ++space)
         if (havoc.by_space[space] != other.by_space[space])
-            havoc.by_space[space] = table_.symbols({Symbol::Kind::opaque, space, 3, node});
+            havoc.by_space[space] = table_.symbols(Symbol::opaque(space, 3, node));
     joined.havoc = table_.remember(havoc);
     return joined;
 }

@@ -27,7 +27,7 @@ bool ModalValue::includes(const ModalValue& other) const {
 }
 
 ValueTable::ValueTable() {
-    symbols({Symbol::Kind::opaque});
+    symbols(Symbol::opaque());
     origins({Origin::Kind::none, 0, 0});
 }
 
@@ -84,22 +84,22 @@ void ValueTable::narrow(Value& value, std::span<const double> numbers) {
 
 SymbolId ValueTable::constant(double number) {
     if (number == 0) number = 0; // no negative zero: it is the same number
-    return symbols({Symbol::Kind::constant, std::bit_cast<std::uint64_t>(number)});
+    return symbols(Symbol::of_number(number));
 }
 
 std::optional<double> ValueTable::number_of(SymbolId symbol) const {
     const Symbol& s = symbols[symbol];
-    return s.kind == Symbol::Kind::constant ? std::optional(std::bit_cast<double>(s.a)) : std::nullopt;
+    return s.kind() == Symbol::Kind::constant ? std::optional(s.number()) : std::nullopt;
 }
 
 SymbolId ValueTable::asked_for(SymbolId symbol) const {
     const Symbol& s = symbols[symbol];
-    return s.kind == Symbol::Kind::if_set ? static_cast<SymbolId>(s.a) : symbol;
+    return s.kind() == Symbol::Kind::if_set ? s.word_value() : symbol;
 }
 
 std::optional<GroupId> ValueTable::entry_group_of(SymbolId symbol) const {
     const Symbol& s = symbols[symbol];
-    return s.kind == Symbol::Kind::entry_group ? std::optional(static_cast<GroupId>(s.a)) : std::nullopt;
+    return s.kind() == Symbol::Kind::entry_group ? std::optional(s.group()) : std::nullopt;
 }
 
 Value number_value(ValueTable& table, double number) { return number_value(table.constant(number), number); }
@@ -114,7 +114,7 @@ Value number_value(SymbolId symbol, double number) {
 Value vacant_value(ValueTable& table, OriginId vacancy_origin) {
     Value value;
     value.know(semantics::of_vacant());
-    value.symbol = table.symbols({Symbol::Kind::vacant});
+    value.symbol = table.symbols(Symbol::of_vacancy());
     value.vacancy_origin = vacancy_origin;
     return value;
 }

@@ -4,6 +4,7 @@
 
 #include "analyzer/dataflow/domain/interner.hpp"
 #include "analyzer/dataflow/domain/small_vector.hpp"
+#include "analyzer/dataflow/domain/symbol.hpp"
 #include "analyzer/program/model.hpp"
 #include "analyzer/semantics/abstract.hpp"
 
@@ -23,7 +24,6 @@ namespace maclint::dataflow {
 using semantics::Exactness;
 using semantics::Vacancy;
 
-using SymbolId = std::uint32_t;  ///< equal symbols at one point of the program are equal values
 using OriginId = std::uint32_t;  ///< 0: none
 using ChoicesId = std::uint32_t; ///< 0: none are known
 using ModalId = std::uint32_t;   ///< of a ModalValue
@@ -44,25 +44,6 @@ struct Origin {
         return Variable{static_cast<SpaceId>(node), static_cast<std::int32_t>(id)};
     }
     friend bool operator==(const Origin&, const Origin&) = default;
-};
-
-/// A computation, as a value number.
-struct Symbol {
-    enum class Kind : std::uint8_t {
-        constant, ///< a: the bits of the number
-        vacant,
-        entry,       ///< a: key; the value at the program's start
-        entry_group, ///< a: group; the code in force when the program was called
-        opaque,      ///< a: expression or effect, b: what for; nothing more is known
-        machine,     ///< a: family and number, b, c: nodes since which it stands; on one path only
-        joined,      ///< a: key, b: node where paths with different values meet
-        result,      ///< a: operation, b, c: operand symbols
-        skip_switch, ///< a: level; on one path only
-        if_set,      ///< of a word: a, or what was in force before where that is vacant; b: effect, c: node
-    } kind;
-    std::uint64_t a = 0;
-    std::uint32_t b = 0, c = 0;
-    friend bool operator==(const Symbol&, const Symbol&) = default;
 };
 
 /// What a value can be, which computation it is the result of, and where that comes from.
@@ -111,16 +92,6 @@ struct HavocSet {
     friend bool operator==(const HavocSet&, const HavocSet&) = default;
 };
 using HavocId = std::uint32_t; ///< 0: nothing is forgotten
-
-constexpr std::uint64_t hash_local(const Symbol& s) {
-    if (s.kind == Symbol::Kind::constant) return mix(0, s.a);
-    // Of a few variables at very many nodes, and the other way round.
-    if (s.kind == Symbol::Kind::joined) return mix(0, s.b) + s.a;
-    return s.a + 4 * (std::uint64_t{s.b} + s.c) + static_cast<std::uint64_t>(s.kind);
-}
-constexpr std::uint64_t hash_mixed(const Symbol& s) {
-    return mix(mix(static_cast<std::uint64_t>(s.kind), s.a), side_by_side(s.b, s.c));
-}
 
 constexpr std::uint64_t hash_local(const Origin& o) { return o.id + static_cast<std::uint64_t>(o.kind); }
 constexpr std::uint64_t hash_mixed(const Origin& o) {

@@ -13,7 +13,8 @@ struct CallBegun {
     static constexpr FactPlace place{14};
     flow::NodeId node;
     EffectId effect;
-    KnownStart start; ///< what is vacant; numbers are not
+    KnownStart start;        ///< what is vacant; numbers are not
+    KnownStart with_numbers; ///< the same with the numbers that are known; empty where none is
 };
 
 } // namespace maclint::dataflow

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "analyzer/dataflow/facts/facts.hpp"
-#include "analyzer/source/work_limit.hpp"
+#include "analyzer/source/budget.hpp"
 
 namespace maclint::dataflow {
 
@@ -13,7 +13,7 @@ template<OfAVariable T, class Property>
                                   const Property& property) {
     const auto of_variable = facts.about<T>(variable);
     const auto of_value = facts.with<T>(symbol);
-    return any_within_limit(
+    return any_within_budget(
         of_variable.size() < of_value.size() ? of_variable : of_value, [&](const T* fact) {
             return fact->variable == variable && fact->value.symbol == symbol && property(*fact);
         });

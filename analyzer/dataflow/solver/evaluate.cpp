@@ -51,7 +51,7 @@ class Chain {
 
 Value Transfer::opaque(ExpressionId id) {
     Value value;
-    value.symbol = states_.table().symbols({Symbol::Kind::opaque, id, 0, node_});
+    value.symbol = states_.table().symbols(Symbol::of_expression(id, node_));
     return value;
 }
 
@@ -79,9 +79,8 @@ Value Transfer::machine_value(FamilyId family, std::int32_t number, ExpressionId
         const bool moves_on = range->changes_by_itself && (!range->is_bit || awaited);
         const bool stored = range->on_write == OnWrite::store;
         const std::uint64_t name = side_by_side(family, static_cast<std::uint32_t>(number));
-        value.symbol =
-            states_.table().symbols({Symbol::Kind::machine, name, moves_on ? machine_time_.acted : 0,
-                                     stored ? machine_time_.stored : 0});
+        value.symbol = states_.table().symbols(
+            Symbol::of_machine(name, moves_on ? machine_time_.acted : 0, stored ? machine_time_.stored : 0));
     }
     return value;
 }
@@ -90,9 +89,8 @@ Value Transfer::machine_value(FamilyId family, std::int32_t number, ExpressionId
 Value Transfer::indexed_value(FamilyId family, const Value& index, ExpressionId id) {
     constexpr std::uint32_t indexed = 1U << 16U;
     Value value = opaque(id);
-    value.symbol =
-        states_.table().symbols({Symbol::Kind::machine, side_by_side(family | indexed, index.symbol),
-                                 machine_time_.acted, machine_time_.stored});
+    value.symbol = states_.table().symbols(Symbol::of_machine(side_by_side(family | indexed, index.symbol),
+                                                              machine_time_.acted, machine_time_.stored));
     return value;
 }
 
@@ -391,7 +389,7 @@ void Transfer::know_entry_code(State& state, ChannelGroup of, double code) {
     ModalValue value = states_.read(state, of);
     for (ModalPart& part : value.parts)
         if (states_.table().number_of(part.symbol) == code)
-            part.symbol = states_.table().symbols({Symbol::Kind::entry_group, of.group});
+            part.symbol = states_.table().symbols(Symbol::group_at_entry(of.group));
     value.put_in_order();
     states_.write(state, of, std::move(value));
 }

@@ -65,7 +65,7 @@ class Summariser {
                 if (!std::ranges::binary_search(written, key) && !is_havoc(variable_of(key).space)) return;
                 const Value& value = states_.table().values[id];
                 const Symbol& symbol = states_.table().symbols[value.symbol];
-                if (symbol.kind == Symbol::Kind::entry && symbol.a == key) return;
+                if (symbol.is_entry_of(key)) return;
                 summary_.variables.push_back(
                     {variable_of(key), value.vacancy, value.low, value.high, value.integer, value.exactness});
             } else if (is_group_key(key)) {

@@ -281,7 +281,7 @@ void Transfer::set_group(State& state, GroupId group, const Value& value) {
         return perhaps_end_groups(state, group, origin);
     }
     if (value.vacancy == Vacancy::unknown) {
-        const SymbolId either = states_.table().symbols({Symbol::Kind::if_set, value.symbol, effect_, node_});
+        const SymbolId either = states_.table().symbols(Symbol::value_if_set(value.symbol, effect_, node_));
         for_each_channel(channels_.running, [&](std::uint8_t channel) {
             write_group(state, {channel, group}, {{{either, origin}}, false});
         });
@@ -339,7 +339,7 @@ void Transfer::set_code(State& state, GroupId group, double code, OriginId origi
         SymbolId symbol = states_.table().constant(code);
         // On a path where the caller's code is known to be this one, setting it puts the caller's code back.
         if (states_.entry_code(state, {channel, group}) == code)
-            symbol = states_.table().symbols({Symbol::Kind::entry_group, group});
+            symbol = states_.table().symbols(Symbol::group_at_entry(group));
         write_group(state, {channel, group}, {{{symbol, origin}}, false});
     });
     end_groups(state, group, origin);
@@ -435,14 +435,16 @@ void Transfer::run_program(State& state, EffectId id, const Call& call) {
     change_groups(state, summary);
 }
 
-/// Numbers are left out: whether variables are set at all is to tell where the call leads.
+/// Once without numbers: whether variables are set at all tells where most calls lead.
 void Transfer::record_begin(const State& state, EffectId id, const Call& call,
                             std::span<const Variable> deciding) {
     KnownStart start = known_at(state, call, deciding);
-    std::erase_if(start.known, [](const KnownVariable& known) { return known.number.has_value(); });
     if (start.arguments)
         std::ranges::sort(*start.arguments, {}, [](const auto& passed) { return key_of(passed.first); });
-    facts_->add(CallBegun{node_, id, std::move(start)});
+    KnownStart with_numbers = start;
+    if (std::erase_if(start.known, [](const KnownVariable& known) { return known.number.has_value(); }) == 0)
+        with_numbers = {};
+    facts_->add(CallBegun{node_, id, std::move(start), std::move(with_numbers)});
 }
 
 /// Whether the program is called here in order to stop. Any other call is taken for one that comes back, so
@@ -500,7 +502,7 @@ void Transfer::change_groups(State& state, const Summary& summary) {
             value.unknown |= change.other || !surely_here;
             if (change.other) {
                 const SymbolId left = states_.table().symbols(
-                    {Symbol::Kind::opaque, side_by_side(effect_, node_), 10U << 8U, change.group});
+                    Symbol::opaque(side_by_side(effect_, node_), 10U << 8U, change.group));
                 value.parts.push_back({left, origin});
             }
             value.put_in_order();
@@ -534,9 +536,8 @@ void Transfer::clobber(State& state, Variable variable, const Value& value) {
 Value Transfer::opaque_variable(Variable variable) {
     constexpr std::uint32_t left = 1U << 8U;
     Value value;
-    value.symbol =
-        states_.table().symbols({Symbol::Kind::opaque, side_by_side(effect_, node_), left | variable.space,
-                                 static_cast<std::uint32_t>(variable.number)});
+    value.symbol = states_.table().symbols(Symbol::opaque(side_by_side(effect_, node_), left | variable.space,
+                                                          static_cast<std::uint32_t>(variable.number)));
     return value;
 }
 

@@ -2,6 +2,7 @@
 //! ran out.
 #include "analyzer/dialect/dinplus/diagnose.hpp"
 
+#include "analyzer/dialect/cut_block.hpp"
 #include "analyzer/dialect/dinplus/keywords.hpp"
 #include "analyzer/dialect/dinplus/kinds.hpp"
 #include "analyzer/dialect/dinplus/lexer.hpp"
@@ -19,16 +20,10 @@ namespace {
 using TokenKind = Token::Kind;
 
 /// The tokens of a block and questions about them.
-class ErrorExplainer {
+class ErrorExplainer : public CutBlock<Token> {
   public:
     ErrorExplainer(std::string_view text, Span block)
-        : text_(text)
-        , tokens_(tokens_of(text, block)) {}
-
-    [[nodiscard]] std::span<const Token> tokens() const { return tokens_; }
-    [[nodiscard]] std::string_view text(const Token& token) const {
-        return text_.substr(token.span.begin, token.span.length());
-    }
+        : CutBlock(text, tokens_of(text, block)) {}
 
     [[nodiscard]] std::optional<SyntaxError> unclosed_text() const {
         const auto token = std::ranges::find(tokens_, TokenKind::unclosed_text, &Token::kind);
@@ -101,9 +96,6 @@ class ErrorExplainer {
     [[nodiscard]] SyntaxError make(SyntaxErrorKind kind, const Token& token, std::string cure) const {
         return {kind, token.span, shown(text(token)), std::move(cure)};
     }
-
-    std::string_view text_;
-    std::vector<Token> tokens_;
 };
 
 } // namespace

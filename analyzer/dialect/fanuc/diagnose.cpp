@@ -3,6 +3,7 @@
 #include "analyzer/dialect/fanuc/diagnose.hpp"
 
 #include "analyzer/dialect/ascii.hpp"
+#include "analyzer/dialect/cut_block.hpp"
 #include "analyzer/dialect/fanuc/find_faults.hpp"
 #include "analyzer/dialect/fanuc/keywords.hpp"
 #include "analyzer/dialect/fanuc/kinds.hpp"
@@ -29,17 +30,12 @@ bool begins_condition(std::string_view word, const Token* next) {
 }
 
 /// The tokens of a block and questions about them.
-class ErrorExplainer {
+class ErrorExplainer : public CutBlock<Token> {
   public:
     ErrorExplainer(std::string_view text, Span block)
-        : text_(text)
-        , block_(block)
-        , tokens_(tokens_of(text, block)) {}
+        : CutBlock(text, tokens_of(text, block))
+        , block_(block) {}
 
-    [[nodiscard]] std::span<const Token> tokens() const { return tokens_; }
-    [[nodiscard]] std::string_view text(const Token& token) const {
-        return text_.substr(token.span.begin, token.span.length());
-    }
     [[nodiscard]] std::string capitals(const Token& token) const { return without_blanks(text(token)); }
 
     [[nodiscard]] std::optional<SyntaxError> parenthesis_as_bracket() const;
@@ -73,9 +69,6 @@ class ErrorExplainer {
     [[nodiscard]] std::optional<SyntaxError> wide_sign() const;
 
   private:
-    [[nodiscard]] const Token* at(std::size_t index) const {
-        return index < tokens_.size() ? &tokens_[index] : nullptr;
-    }
     /// Keywords at the end of a row of letters: "GOTO" of THENGOTO, "SIN" of XSIN.
     [[nodiscard]] std::string last_keyword(const Token& token) const;
     [[nodiscard]] bool wants_value(const Token& token) const;
@@ -118,9 +111,7 @@ class ErrorExplainer {
     [[nodiscard]] bool is_prose() const;
     [[nodiscard]] std::string in_square_brackets(Offset open) const;
 
-    std::string_view text_;
     Span block_;
-    std::vector<Token> tokens_;
 };
 
 std::string ErrorExplainer::last_keyword(const Token& token) const {

@@ -34,6 +34,8 @@ constexpr std::array<double, 7> holes = {74, 81, 82, 83, 83.1, 84, 85};
 constexpr std::array<double, 7> holes_in_c = {76, 81, 82, 83, 83.1, 84, 85};
 constexpr std::array<double, 1> pecking = {74};
 constexpr std::array<double, 1> pecking_in_c = {76};
+constexpr std::array<double, 5> skips = {31, 31.1, 31.2, 31.3, 31.4};
+constexpr std::array<double, 1> settings = {10};
 constexpr double hundredth = 0.02;
 
 constexpr std::string_view source =
@@ -53,6 +55,8 @@ constexpr MachineWords mill = {.axes = {'X', 'Y', 'Z'},
                                .aside = aside,
                                .coolant_on = coolant,
                                .circle_tolerance = hundredth,
+                               .skips = skips,
+                               .settings = settings,
                                .source = source};
 
 constexpr MachineWords lathe() {
@@ -70,6 +74,8 @@ constexpr MachineWords lathe() {
             .aside = aside,
             .coolant_on = coolant,
             .circle_tolerance = hundredth,
+            .skips = skips,
+            .settings = settings,
             .source = source};
 }
 

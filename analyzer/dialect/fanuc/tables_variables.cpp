@@ -194,7 +194,7 @@ VariableFamily numbered_variables(std::span<const ModalGroup> groups, std::optio
     add({ 5000,   5020,  machine, here,             0,            forbidden, true,  "block end position",                      "SEED-001:1373"});
     add({ 5021,   5040,  machine, here,             0,            forbidden, true,  "machine position",                        "SEED-001:1374; MAN-AINANO", false, false, false, {}, axes});
     add({ 5041,   5060,  machine, here,             0,            forbidden, true,  "work position",                           "SEED-001:1375; MAN-AINANO", false, false, false, {}, axes});
-    add({ 5061,   5080,  machine, here,             0,            forbidden, true,  "skip position",                           "SEED-001:1376; NCT-183"});
+    add({ 5061,   5080,  machine, here,             0,            forbidden, true,  "skip position",                           "SEED-001:1376; NCT-183", false, false, false, {}, {}, true});
     add({ 5081,   5100,  machine, here,             0,            forbidden, true,  "tool length offset in effect",            "SEED-001:1377; NCT-183"});
     add({ 5101,   5120,  machine, here,             0,            forbidden, true,  "servo deviation",                         "SEED-001:1378"});
     add({ 5121,   5140,  machine, here,             0,            forbidden, true,  "handle interruption",                     "T: grinders read it"});

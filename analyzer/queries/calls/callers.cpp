@@ -2,7 +2,7 @@
 #include "analyzer/queries/calls/callers.hpp"
 
 #include "analyzer/program/tables.hpp"
-#include "analyzer/source/work_limit.hpp"
+#include "analyzer/source/budget.hpp"
 
 #include <algorithm>
 #include <string_view>
@@ -22,7 +22,7 @@ std::string_view folder_of(const ProgramAnalysis& analysis) {
 template<class Property>
 const Caller* find_caller(const ProgramAnalysis& analysis, const Property& property) {
     for (const Caller& caller : analysis.callers()) {
-        if (!WorkLimit::allows()) return nullptr;
+        if (!Budget::allows()) return nullptr;
         if (property(caller)) return &caller;
     }
     return nullptr;

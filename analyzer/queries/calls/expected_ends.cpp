@@ -8,7 +8,7 @@
 #include "analyzer/queries/modal/saved_state.hpp"
 #include "analyzer/queries/structure/sections.hpp"
 #include "analyzer/queries/values/copies.hpp"
-#include "analyzer/source/work_limit.hpp"
+#include "analyzer/source/budget.hpp"
 #include "analyzer/workspace/written_as_macro.hpp"
 
 #include <algorithm>
@@ -47,7 +47,7 @@ const flow::Exit* find_other_exit(const ProgramAnalysis& analysis) {
 
 const dataflow::Store* find_save_put_back(const ProgramAnalysis& analysis) {
     for (const dataflow::Store* save : saves_of(analysis))
-        if (any_within_limit(analysis.facts().all<dataflow::Read>(), [&](const dataflow::Read& read) {
+        if (any_within_budget(analysis.facts().all<dataflow::Read>(), [&](const dataflow::Read& read) {
                 return read.use == dataflow::Use::word && store_of(analysis, read.value) == save;
             }))
             return save;

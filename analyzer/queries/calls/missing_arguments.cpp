@@ -6,7 +6,7 @@
 #include "analyzer/queries/calls/callers.hpp"
 #include "analyzer/queries/calls/provoking_calls.hpp"
 #include "analyzer/queries/paths/feasible_paths.hpp"
-#include "analyzer/source/work_limit.hpp"
+#include "analyzer/source/budget.hpp"
 
 #include <algorithm>
 #include <array>
@@ -28,11 +28,11 @@ bool may_be_computed(const ProgramAnalysis& analysis) {
 /// The value of the variable at the program's start.
 bool is_as_passed(const ProgramAnalysis& analysis, const dataflow::Read& read) {
     const dataflow::Symbol& symbol = analysis.data().table().symbols[read.value.symbol];
-    return symbol.kind == dataflow::Symbol::Kind::entry && symbol.a == dataflow::key_of(read.variable);
+    return symbol.is_entry_of(dataflow::key_of(read.variable));
 }
 
 bool is_asked_for(const ProgramAnalysis& analysis, const dataflow::Read& wanted) {
-    return any_within_limit(analysis.facts().all<dataflow::Read>(), [&](const dataflow::Read& read) {
+    return any_within_budget(analysis.facts().all<dataflow::Read>(), [&](const dataflow::Read& read) {
         const bool asks = read.use == dataflow::Use::vacancy_test || read.use == dataflow::Use::comparison;
         return asks && (read.value.symbol == wanted.value.symbol || read.variable == wanted.variable);
     });
@@ -46,7 +46,7 @@ const Caller* call_that_comes_to(execution::PathSearch& search, const ProgramAna
     if (read.node != 0 && std::ranges::binary_search(changing, flow::NodeId{0})) return nullptr;
     std::set<std::vector<flow::NodeId>> in_vain; // calls that go the same ways
     for (const Caller& caller : analysis.callers()) {
-        if (!WorkLimit::allows()) return nullptr;
+        if (!Budget::allows()) return nullptr;
         const std::vector<bool> reached = nodes_reached_by(analysis, caller, changing);
         if (!reached[read.node]) continue;
         std::vector<flow::NodeId> barred = changing;
@@ -77,7 +77,7 @@ std::vector<MissingArgument> find_missing_arguments(const ProgramAnalysis& analy
             std::ranges::find(formals, read.variable) == formals.end() ||
             (exemptions::compared_somewhere.is_on() && is_asked_for(analysis, read)))
             continue;
-        if (any_within_limit(callers, [&](const Caller& caller) {
+        if (any_within_budget(callers, [&](const Caller& caller) {
                 return argument_for(analysis, caller, read.variable) != nullptr;
             }))
             continue;

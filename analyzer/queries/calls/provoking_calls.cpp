@@ -33,8 +33,7 @@ std::optional<Variable> argument_asked_for(const ProgramAnalysis& analysis, cons
     const auto variable = plain_variable(analysis.program(), comparison.left_expression);
     if (!variable) return std::nullopt;
     const dataflow::Symbol& symbol = analysis.data().table().symbols[comparison.left.symbol];
-    const bool as_given =
-        symbol.kind == dataflow::Symbol::Kind::entry && symbol.a == dataflow::key_of(*variable);
+    const bool as_given = symbol.is_entry_of(dataflow::key_of(*variable));
     return as_given && analysis.program().is_formal(*variable) ? variable : std::nullopt;
 }
 

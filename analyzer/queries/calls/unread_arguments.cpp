@@ -1,6 +1,7 @@
 //! Compares what calls pass with what is live at the start of the called program.
 #include "analyzer/queries/calls/unread_arguments.hpp"
 
+#include "analyzer/dataflow/solver/index_reach.hpp"
 #include "analyzer/dialect/characters.hpp"
 #include "analyzer/program/block_view.hpp"
 #include "analyzer/program/tables.hpp"
@@ -19,9 +20,12 @@ namespace maclint::queries {
 namespace {
 
 /// Whether what it reads of its arguments stands in its text.
-bool reads_by_name(const Program& program) {
-    const auto through_index = [](const Expression& expression) {
-        return std::holds_alternative<LoadAt>(expression.node);
+bool reads_by_name(const ProgramAnalysis& analysis) {
+    const Program& program = analysis.program();
+    dataflow::IndexReaches reaches(program, analysis.graph());
+    const auto through_index = [&](const Expression& expression) {
+        const auto* load = std::get_if<LoadAt>(&expression.node);
+        return load != nullptr && reaches.of(load->family, load->index, {}, 0).locals;
     };
     bool by_name = std::ranges::none_of(program.expressions, through_index);
     for_each_effect(program, [&](EffectId id) {
@@ -110,7 +114,7 @@ class Called {
     /// Whether it certainly does not read it. A program that reads no argument may stand in for one that is
     /// still to be written.
     bool leaves_unread(Variable variable) {
-        if (!by_name_) by_name_ = reads_by_name(analysis_.program());
+        if (!by_name_) by_name_ = reads_by_name(analysis_);
         if (!*by_name_) return false;
         if (!read_) read_ = arguments_read(analysis_);
         if (read_->empty() && exemptions::program_to_be_written.is_on()) return false;

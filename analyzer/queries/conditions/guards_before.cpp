@@ -9,7 +9,7 @@
 #include "analyzer/program/tables.hpp"
 #include "analyzer/queries/conditions/conditions.hpp"
 #include "analyzer/semantics/truth.hpp"
-#include "analyzer/source/work_limit.hpp"
+#include "analyzer/source/budget.hpp"
 
 #include <algorithm>
 #include <array>
@@ -60,7 +60,7 @@ std::optional<bool> outcome_after(const ProgramAnalysis& analysis, const Compari
 /// part of a condition, or where `nodes_left` to look at are too few.
 std::optional<bool> outcome_on_the_way(const ProgramAnalysis& analysis, const Comparison& comparison,
                                        flow::NodeId node, std::size_t& nodes_left) {
-    const WorkLimit::Pause pause; // it has a bound of its own
+    const Budget own = Budget::without_bound(); // it has a bound of its own
     Truth outcome{false, false};
     flow::walk<flow::Direction::backward>(analysis.graph(), {node}, [&](flow::EdgeId id, flow::NodeId from) {
         if (nodes_left == 0 || !analysis.data().passable(id)) return flow::Step::refuse;
@@ -190,7 +190,7 @@ bool is_used_as_given(const ProgramAnalysis& analysis, const dataflow::Read& rea
     using dataflow::Use;
     const dataflow::Symbol& symbol = analysis.data().table().symbols[read.value.symbol];
     return (read.use == Use::word || read.use == Use::arithmetic) &&
-           symbol.kind == dataflow::Symbol::Kind::entry && symbol.a == dataflow::key_of(read.variable) &&
+           symbol.is_entry_of(dataflow::key_of(read.variable)) &&
            analysis.control().letter_of(read.variable).has_value();
 }
 

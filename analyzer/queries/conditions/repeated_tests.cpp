@@ -5,7 +5,7 @@
 #include "analyzer/dataflow/facts/condition.hpp"
 #include "analyzer/program/block_view.hpp"
 #include "analyzer/queries/conditions/conditions.hpp"
-#include "analyzer/source/work_limit.hpp"
+#include "analyzer/source/budget.hpp"
 
 #include <algorithm>
 #include <cstddef>
@@ -108,7 +108,7 @@ std::optional<Case> case_of(const Program& program, ItemId item) {
 /// Whether the conditions are the same; of one of many comparisons each is looked at.
 bool ask_the_same(const Program& program, const Case& a, const Case& b) {
     constexpr std::size_t looked_at_with_the_case = 8;
-    return a.asked.size() == b.asked.size() && WorkLimit::allows(a.asked.size() / looked_at_with_the_case) &&
+    return a.asked.size() == b.asked.size() && Budget::allows(a.asked.size() / looked_at_with_the_case) &&
            same_expression(program, a.condition, b.condition);
 }
 
@@ -117,7 +117,7 @@ const Case* repeated_case(const Program& program, std::span<const Case> cases) {
     const Case& last = cases.back();
     if (last.given.hold(last.variable) || last.asked.hold(last.variable)) return nullptr;
     for (auto earlier = cases.rbegin() + 1; earlier != cases.rend(); ++earlier) {
-        if (!WorkLimit::allows() || earlier->asked.hold(earlier->variable)) return nullptr;
+        if (!Budget::allows() || earlier->asked.hold(earlier->variable)) return nullptr;
         if (earlier->variable == last.variable && ask_the_same(program, *earlier, last)) return &*earlier;
         if (last.asked.hold(earlier->variable) || earlier->asked.hold(last.variable) ||
             earlier->given.hold(last.variable))

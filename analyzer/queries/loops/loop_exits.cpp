@@ -5,7 +5,7 @@
 #include "analyzer/program/block_view.hpp"
 #include "analyzer/program/tables.hpp"
 #include "analyzer/queries/calls/callers.hpp"
-#include "analyzer/source/work_limit.hpp"
+#include "analyzer/source/budget.hpp"
 
 #include <algorithm>
 #include <variant>
@@ -65,7 +65,7 @@ bool repeats_whole_program(const ProgramAnalysis& analysis, const dataflow::Loop
     if (behind.empty() || !std::holds_alternative<Return>(behind.front().what)) return false;
     bool moves = false;
     for (flow::NodeId node = 0; node < nodes.size(); ++node) {
-        if (!WorkLimit::allows()) return false;
+        if (!Budget::allows()) return false;
         if (!analysis.data().reached(node) || !is_move(program, nodes[node])) continue;
         if (!cycle.holds(node)) return false;
         moves = true;
@@ -74,13 +74,13 @@ bool repeats_whole_program(const ProgramAnalysis& analysis, const dataflow::Loop
 }
 
 bool is_in_endless_jumps(const ProgramAnalysis& analysis, const dataflow::Loop& loop) {
-    return any_within_limit(analysis.inescapable_cycles(), [&](const dataflow::Loop& cycle) {
+    return any_within_budget(analysis.inescapable_cycles(), [&](const dataflow::Loop& cycle) {
         return is_endless_by_jumps(cycle) && cycle.holds(loop.head);
     });
 }
 
 std::optional<ExpressionId> condition_never_met(const ProgramAnalysis& analysis, const dataflow::Loop& loop) {
-    const bool is_closed = any_within_limit(analysis.inescapable_cycles(), [&](const dataflow::Loop& cycle) {
+    const bool is_closed = any_within_budget(analysis.inescapable_cycles(), [&](const dataflow::Loop& cycle) {
         return cycle.head == loop.head && !cycle.exit_edges.empty();
     });
     if (!is_closed || loop.exit_edges.empty()) return std::nullopt;
@@ -122,7 +122,7 @@ bool is_loop_condition(const ProgramAnalysis& analysis, const dataflow::Conditio
 bool never_ends(const ProgramAnalysis& analysis, const dataflow::Condition& condition) {
     const dataflow::ReadSet reads = dataflow::variables_of(analysis.program(), condition.expression);
     if (analysis.control().loops_left_by_jump || !reads.closed || !reads.variables.empty()) return false;
-    return any_within_limit(analysis.loops(), [&](const dataflow::Loop& loop) {
+    return any_within_budget(analysis.loops(), [&](const dataflow::Loop& loop) {
         const flow::Region* region = region_of(analysis, loop);
         return region != nullptr && region->open == condition.effect && !loop.can_stop &&
                !is_left_in_its_body(analysis, loop);

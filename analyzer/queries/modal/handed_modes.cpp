@@ -6,7 +6,7 @@
 #include "analyzer/program/overloaded.hpp"
 #include "analyzer/program/tables.hpp"
 #include "analyzer/queries/calls/callers.hpp"
-#include "analyzer/source/work_limit.hpp"
+#include "analyzer/source/budget.hpp"
 #include "analyzer/workspace/workspace.hpp"
 
 #include <algorithm>
@@ -38,7 +38,7 @@ class Ends {
         flow::walk<flow::Direction::forward>(
             caller_.graph(), {*from}, [&](flow::EdgeId edge, flow::NodeId to) {
                 if (!caller_.data().passable(edge)) return flow::Step::refuse;
-                const Said said = left != 0 && WorkLimit::allows() ? said_at(to) : Said::otherwise;
+                const Said said = left != 0 && Budget::allows() ? said_at(to) : Said::otherwise;
                 left -= std::min<std::size_t>(left, 1);
                 cancelled |= said == Said::cancelled;
                 lost |= said == Said::otherwise || (said == Said::nothing && leaves_at(to));

@@ -3,7 +3,6 @@
 #include "analyzer/queries/modal/leak_use.hpp"
 
 #include "analyzer/dataflow/domain/interner.hpp"
-#include "analyzer/execution/given_up.hpp"
 #include "analyzer/program/block_view.hpp"
 #include "analyzer/program/overloaded.hpp"
 #include "analyzer/program/tables.hpp"
@@ -76,7 +75,7 @@ class FirstUseOfLeak {
             }
             visit(point);
         }
-        if (!result_.matters && !all_callers_asked_) execution::GivenUp::note(callee_.search_memory());
+        if (!result_.matters && !all_callers_asked_) callee_.search_memory().count(true);
         return result_;
     }
 

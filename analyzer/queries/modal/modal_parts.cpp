@@ -41,7 +41,7 @@ bool may_be_callers(const ProgramAnalysis& analysis, GroupId group, const datafl
 NumberSource source_of(const ProgramAnalysis& analysis, const dataflow::ModalPart& part) {
     const dataflow::ValueTable& table = analysis.data().table();
     using Kind = dataflow::Symbol::Kind;
-    switch (table.symbols[table.asked_for(part.symbol)].kind) {
+    switch (table.symbols[table.asked_for(part.symbol)].kind()) {
     case Kind::constant: return NumberSource::constant;
     case Kind::entry: return NumberSource::at_start;
     case Kind::result: return NumberSource::calculated;

@@ -3,7 +3,7 @@
 
 #include "analyzer/dataflow/facts/clobber.hpp"
 #include "analyzer/flow/walk.hpp"
-#include "analyzer/source/work_limit.hpp"
+#include "analyzer/source/budget.hpp"
 
 #include <algorithm>
 #include <array>
@@ -15,7 +15,7 @@ std::vector<flow::NodeId> nodes_that_may_change(const ProgramAnalysis& analysis,
     const auto stores = facts.about<dataflow::Store>(variable);
     const auto clobbers = facts.all<dataflow::Clobber>();
     std::vector<flow::NodeId> nodes;
-    if (!WorkLimit::allows(stores.size() + clobbers.size())) return nodes;
+    if (!Budget::allows(stores.size() + clobbers.size())) return nodes;
     for (const dataflow::Store* store : stores)
         if (store->node != except) nodes.push_back(store->node);
     for (const dataflow::Clobber& clobber : clobbers)

@@ -1,7 +1,7 @@
 //! Follows the edges of each branch.
 #include "analyzer/queries/structure/fall_throughs.hpp"
 
-#include "analyzer/source/work_limit.hpp"
+#include "analyzer/source/budget.hpp"
 
 #include <algorithm>
 #include <optional>
@@ -30,7 +30,7 @@ bool runs_into(const ProgramAnalysis& analysis, EffectId branch, EffectId next, 
     const flow::Graph& graph = analysis.graph();
     const auto begin = graph.node_of(branch), head = graph.node_of(next), end = graph.node_of(close);
     if (!begin || !head || !end) return false; // in a part that nothing executes
-    for (flow::NodeId node = *begin; node < *head && WorkLimit::allows(); ++node)
+    for (flow::NodeId node = *begin; node < *head && Budget::allows(); ++node)
         for (const flow::EdgeId id : graph.out[node]) {
             const flow::NodeId to = graph.edges[id].to;
             if (*head < to && to < *end && analysis.data().passable(id)) return true;

@@ -4,7 +4,7 @@
 #include "analyzer/dataflow/facts/store.hpp"
 #include "analyzer/flow/walk.hpp"
 #include "analyzer/queries/conditions/conditions.hpp"
-#include "analyzer/source/work_limit.hpp"
+#include "analyzer/source/budget.hpp"
 
 #include <algorithm>
 #include <optional>
@@ -93,7 +93,7 @@ class CasesWithoutAssignment {
     }
 
     void add_subject(ExpressionId id) {
-        const bool known = any_within_limit(
+        const bool known = any_within_budget(
             result_.subjects, [&](ExpressionId subject) { return same_expression(program_, subject, id); });
         if (!known) result_.subjects.push_back(id);
     }
@@ -117,8 +117,8 @@ bool is_same_case(const Program& program, const MissingCase& a, const MissingCas
     const MissingCase& smaller = a.subjects.size() < b.subjects.size() ? a : b;
     const MissingCase& larger = &smaller == &a ? b : a;
     return !smaller.subjects.empty() && std::ranges::all_of(smaller.subjects, [&](ExpressionId id) {
-        return any_within_limit(larger.subjects,
-                                [&](ExpressionId subject) { return same_expression(program, subject, id); });
+        return any_within_budget(larger.subjects,
+                                 [&](ExpressionId subject) { return same_expression(program, subject, id); });
     });
 }
 

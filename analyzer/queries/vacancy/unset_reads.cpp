@@ -9,7 +9,7 @@
 #include "analyzer/queries/vacancy/vacant_uses.hpp"
 #include "analyzer/queries/values/copies.hpp"
 #include "analyzer/queries/values/origins.hpp"
-#include "analyzer/source/work_limit.hpp"
+#include "analyzer/source/budget.hpp"
 
 #include <algorithm>
 #include <array>
@@ -48,7 +48,7 @@ Variables series_taken(const ProgramAnalysis& analysis) {
         return taken;
     Variables read_as_given;
     for (const dataflow::Read& read : analysis.facts().all<dataflow::Read>())
-        if (WorkLimit::allows() && is_as_at_entry(analysis, read)) read_as_given.insert(read.variable);
+        if (Budget::allows() && is_as_at_entry(analysis, read)) read_as_given.insert(read.variable);
     for (const auto& set : series) {
         const bool whole =
             std::ranges::all_of(set, [&](Variable variable) { return read_as_given.contains(variable); });
@@ -186,7 +186,7 @@ void add_to(std::vector<UnsetReads>& groups, const ProgramAnalysis& analysis, Un
     if (kind == Unset::in_some_cases)
         missing = missing_case_on(analysis, found.path, found.read->variable, found.read->node);
     const auto group = std::ranges::find_if(groups, [&](const UnsetReads& reads) {
-        return WorkLimit::allows() && reads.kind == kind && kind != Unset::as_tested &&
+        return Budget::allows() && reads.kind == kind && kind != Unset::as_tested &&
                (kind != Unset::in_some_cases || reads.first.read->node == found.read->node ||
                 is_same_case(analysis.program(), reads.missing, missing));
     });
@@ -224,7 +224,7 @@ bool is_owed_to_missing_value(const ProgramAnalysis& analysis, EffectId effect, 
         const auto [by, value] = made_by.back();
         made_by.pop_back();
         for (const dataflow::Read& read : analysis.facts().at<dataflow::Read>(by)) {
-            if (!WorkLimit::allows()) return false;
+            if (!Budget::allows()) return false;
             if (!expressions[value].span.covers(expressions[read.expression].span)) continue;
             if (lacks_a_value(analysis, read)) return true;
             const dataflow::Store* store = store_of(analysis, read.value);

@@ -9,7 +9,7 @@
 #include "analyzer/queries/conditions/conditions.hpp"
 #include "analyzer/queries/paths/exits.hpp"
 #include "analyzer/queries/paths/feasible_paths.hpp"
-#include "analyzer/source/work_limit.hpp"
+#include "analyzer/source/budget.hpp"
 
 #include <algorithm>
 #include <set>
@@ -21,7 +21,7 @@ namespace {
 /// Whether the program ends in an alarm where the variable has a value.
 bool is_refused(const ProgramAnalysis& analysis, Variable variable) {
     const auto comparisons = analysis.facts().all<dataflow::Comparison>();
-    return any_within_limit(comparisons, [&](const dataflow::Comparison& test) {
+    return any_within_budget(comparisons, [&](const dataflow::Comparison& test) {
         const bool asks_for_value = test.operation == Operation::is_set;
         if (!asks_for_value && test.operation != Operation::is_vacant) return false;
         const auto* guarded = std::get_if<Guarded>(&analysis.program().effects[test.effect].what);
@@ -38,7 +38,7 @@ bool is_set_under_conditions(const ProgramAnalysis& analysis, Variable variable)
         const auto block = stored_block(analysis.program(), analysis.graph().nodes[store->node].item);
         return !block || store->effect - block->effects.first < block->effects.count;
     };
-    return !any_within_limit(analysis.facts().about<dataflow::Store>(variable), stands_alone);
+    return !any_within_budget(analysis.facts().about<dataflow::Store>(variable), stands_alone);
 }
 
 /// S[#10] in a block of its own, behind IF[#1EQ1]THEN#10=800: without a value the speed stays as it is, and

@@ -35,14 +35,15 @@ class Calculation {
         const dataflow::Symbol& s = table_.symbols[id];
         const auto safe = [&](dataflow::SymbolId operand) { return is_zero_as_on_paper(operand, depth - 1); };
         switch (*operation) {
-        case Operation::multiply: return safe(s.b) && safe(s.c);
+        case Operation::multiply: return safe(s.first()) && safe(s.second());
         case Operation::divide:
         case Operation::negate:
         case Operation::absolute:
-        case Operation::square_root: return safe(s.b);
+        case Operation::square_root: return safe(s.first());
         case Operation::add:
             return is_unrounded(id) ||
-                   (safe(s.b) && safe(s.c) && is_never_negative(s.b, depth) && is_never_negative(s.c, depth));
+                   (safe(s.first()) && safe(s.second()) && is_never_negative(s.first(), depth) &&
+                    is_never_negative(s.second(), depth));
         case Operation::truncate:
         case Operation::round:
         case Operation::round_up: return true;
@@ -52,8 +53,8 @@ class Calculation {
 
     [[nodiscard]] std::optional<Operation> operation_of(dataflow::SymbolId id) const {
         const dataflow::Symbol& s = table_.symbols[id];
-        if (s.kind != dataflow::Symbol::Kind::result) return std::nullopt;
-        return static_cast<Operation>(s.a);
+        if (s.kind() != dataflow::Symbol::Kind::result) return std::nullopt;
+        return s.operation();
     }
 
   private:
@@ -62,9 +63,9 @@ class Calculation {
         const auto operation = operation_of(id);
         if (!operation || depth == 0) return false;
         const dataflow::Symbol& s = table_.symbols[id];
-        if (operation == Operation::multiply) return s.b == s.c;
+        if (operation == Operation::multiply) return s.first() == s.second();
         if (operation == Operation::add)
-            return is_never_negative(s.b, depth - 1) && is_never_negative(s.c, depth - 1);
+            return is_never_negative(s.first(), depth - 1) && is_never_negative(s.second(), depth - 1);
         return operation == Operation::absolute || operation == Operation::square_root;
     }
 
@@ -76,9 +77,9 @@ class Calculation {
         if (depth == 0) return false;
         const dataflow::Symbol& s = table_.symbols[id];
         if (operation == Operation::negate || operation == Operation::absolute)
-            return is_unrounded(s.b, depth - 1);
+            return is_unrounded(s.first(), depth - 1);
         return (operation == Operation::subtract || operation == Operation::add) &&
-               is_unrounded(s.b, depth - 1) && is_unrounded(s.c, depth - 1);
+               is_unrounded(s.first(), depth - 1) && is_unrounded(s.second(), depth - 1);
     }
 
     const dataflow::ValueTable& table_;
@@ -88,8 +89,8 @@ class Calculation {
 
 std::optional<Operation> operation_of(const ProgramAnalysis& analysis, const dataflow::Value& value) {
     const dataflow::Symbol& symbol = symbol_of(analysis, value);
-    if (symbol.kind != dataflow::Symbol::Kind::result) return std::nullopt;
-    return static_cast<Operation>(symbol.a);
+    if (symbol.kind() != dataflow::Symbol::Kind::result) return std::nullopt;
+    return symbol.operation();
 }
 
 bool is_rounded_result(const ProgramAnalysis& analysis, const dataflow::Value& value,
@@ -97,12 +98,12 @@ bool is_rounded_result(const ProgramAnalysis& analysis, const dataflow::Value& v
     const auto operation = operation_of(analysis, value);
     const bool rounds =
         operation == Operation::truncate || operation == Operation::round || operation == Operation::round_up;
-    return rounds && symbol_of(analysis, value).b == of.symbol;
+    return rounds && symbol_of(analysis, value).first() == of.symbol;
 }
 
 bool is_quotient_of_decimals(const ProgramAnalysis& analysis, const dataflow::Value& value) {
     return operation_of(analysis, value) == Operation::divide &&
-           !Calculation(analysis.data().table()).is_whole(symbol_of(analysis, value).c);
+           !Calculation(analysis.data().table()).is_whole(symbol_of(analysis, value).second());
 }
 
 bool are_rounded_alike(const ProgramAnalysis& analysis, const dataflow::Value& one,
@@ -110,10 +111,10 @@ bool are_rounded_alike(const ProgramAnalysis& analysis, const dataflow::Value& o
     const Calculation calculation(analysis.data().table());
     const auto is_whole_in_units = [&](const dataflow::Value& value) {
         return operation_of(analysis, value) == Operation::divide &&
-               calculation.is_whole(symbol_of(analysis, value).b);
+               calculation.is_whole(symbol_of(analysis, value).first());
     };
     return is_whole_in_units(one) && is_whole_in_units(other) &&
-           symbol_of(analysis, one).c == symbol_of(analysis, other).c;
+           symbol_of(analysis, one).second() == symbol_of(analysis, other).second();
 }
 
 bool is_zero_as_on_paper(const ProgramAnalysis& analysis, const dataflow::Value& value) {
@@ -136,7 +137,7 @@ bool is_of_own_variables(const ProgramAnalysis& analysis, ExpressionId expressio
 
 bool is_distance(const ProgramAnalysis& analysis, const dataflow::Value& value) {
     return operation_of(analysis, value) == Operation::absolute &&
-           Calculation(analysis.data().table()).operation_of(symbol_of(analysis, value).b) ==
+           Calculation(analysis.data().table()).operation_of(symbol_of(analysis, value).first()) ==
                Operation::subtract;
 }
 

@@ -21,7 +21,8 @@ const dataflow::Store* store_of(const ProgramAnalysis& analysis, const dataflow:
 const dataflow::Store* only_store_of(const ProgramAnalysis& analysis, Variable variable,
                                      const dataflow::Value& value) {
     if (const dataflow::Store* store = store_of(analysis, value)) return store;
-    if (analysis.data().table().symbols[value.symbol].kind != dataflow::Symbol::Kind::joined) return nullptr;
+    if (analysis.data().table().symbols[value.symbol].kind() != dataflow::Symbol::Kind::joined)
+        return nullptr;
     const auto stores = analysis.facts().about<dataflow::Store>(variable);
     return stores.size() == 1 ? stores.front() : nullptr;
 }

@@ -3,10 +3,9 @@
 
 #include "analyzer/dataflow/domain/read_set.hpp"
 #include "analyzer/dataflow/domain/state.hpp"
-#include "analyzer/execution/given_up.hpp"
 #include "analyzer/flow/walk.hpp"
 #include "analyzer/program/tables.hpp"
-#include "analyzer/source/work_limit.hpp"
+#include "analyzer/source/budget.hpp"
 
 #include <algorithm>
 #include <set>
@@ -170,19 +169,19 @@ std::vector<DeadStore> find_dead_stores(const ProgramAnalysis& analysis) {
     const auto& stores = analysis.facts().all<dataflow::Store>();
     if (stores.empty()) return dead;
     if (!analysis.liveness().is_known()) {
-        execution::GivenUp::note(analysis.search_memory());
+        analysis.search_memory().count(true);
         return dead;
     }
     std::optional<Reads> reads; // most programs have no dead store
-    const WorkLimit limit(most_nodes + nodes_of_a_store * stores.size());
+    const Budget budget(most_nodes + nodes_of_a_store * stores.size());
     for (const dataflow::Store& store : stores) {
         if (saves_modal_code(analysis.program(), store) ||
             analysis.liveness().is_live_after(store.effect, store.variable))
             continue;
         if (!reads) reads.emplace(analysis);
         auto found = FateOfStore(analysis, store).run();
-        if (limit.is_met()) {
-            execution::GivenUp::note(analysis.search_memory());
+        if (budget.is_spent()) {
+            analysis.search_memory().count(true);
             break;
         }
         if (!found) continue;

@@ -4,14 +4,13 @@
 #include "analyzer/dataflow/facts/clobber.hpp"
 #include "analyzer/dataflow/facts/read.hpp"
 #include "analyzer/dataflow/facts/store.hpp"
-#include "analyzer/execution/given_up.hpp"
 #include "analyzer/flow/walk.hpp"
 #include "analyzer/program/tables.hpp"
 #include "analyzer/queries/calls/callers.hpp"
 #include "analyzer/queries/conditions/conditions.hpp"
 #include "analyzer/queries/paths/exits.hpp"
 #include "analyzer/semantics/concrete.hpp"
-#include "analyzer/source/work_limit.hpp"
+#include "analyzer/source/budget.hpp"
 #include "analyzer/workspace/bind.hpp"
 
 #include <algorithm>
@@ -68,10 +67,11 @@ std::vector<Variable> right_angle_with(const ProgramAnalysis& analysis, const Va
                                        ZeroSources& zeros) {
     const auto& table = analysis.data().table();
     const Symbol& symbol = table.symbols[operand.symbol];
-    if (symbol.kind != Symbol::Kind::result || (static_cast<Operation>(symbol.a) != Operation::subtract &&
-                                                static_cast<Operation>(symbol.a) != Operation::add))
+    if (symbol.kind() != Symbol::Kind::result ||
+        (symbol.operation() != Operation::subtract && symbol.operation() != Operation::add))
         return {};
-    for (const auto& [constant, other] : {std::pair(symbol.b, symbol.c), std::pair(symbol.c, symbol.b)}) {
+    for (const auto& [constant, other] :
+         {std::pair(symbol.first(), symbol.second()), std::pair(symbol.second(), symbol.first())}) {
         const auto angle = table.number_of(constant);
         if (angle && fails(Operation::tangent, *angle)) return zeros.of(other);
     }
@@ -81,10 +81,9 @@ std::vector<Variable> right_angle_with(const ProgramAnalysis& analysis, const Va
 /// The variables of both sides of a difference, where nothing else decides it.
 std::vector<Variable> sides_of_difference(const ProgramAnalysis& analysis, const Value& operand) {
     const Symbol& symbol = analysis.data().table().symbols[operand.symbol];
-    if (symbol.kind != Symbol::Kind::result || static_cast<Operation>(symbol.a) != Operation::subtract)
-        return {};
-    const GivenVariables left = given_variables(analysis, value_of(symbol.b));
-    const GivenVariables right = given_variables(analysis, value_of(symbol.c));
+    if (symbol.kind() != Symbol::Kind::result || symbol.operation() != Operation::subtract) return {};
+    const GivenVariables left = given_variables(analysis, value_of(symbol.first()));
+    const GivenVariables right = given_variables(analysis, value_of(symbol.second()));
     if (!left.closed || !right.closed || right.variables.empty()) return {};
     std::vector<Variable> both = left.variables;
     add(both, right.variables);
@@ -184,7 +183,7 @@ std::optional<OperandRisk> OperandRisks::risk_of(const Application& application)
     const auto variables = harmful_zeros(analysis_, application.operation, operand, zeros_);
     if (variables.empty()) return std::nullopt;
     if (++walks_ > most_walks) {
-        execution::GivenUp::note(analysis_.search_memory());
+        analysis_.search_memory().count(true);
         return std::nullopt;
     }
     const auto comes_first = reached_without(analysis_, application.node);
@@ -221,8 +220,7 @@ std::optional<OperandRisk> OperandRisks::risk_of_root(const Value& operand) cons
 std::optional<OperandRisk> OperandRisks::risk_of_argument(const dataflow::Read& read,
                                                           std::optional<Variable> counter) const {
     const Symbol& symbol = analysis_.data().table().symbols[read.value.symbol];
-    const bool is_as_passed =
-        symbol.kind == Symbol::Kind::entry && symbol.a == dataflow::key_of(read.variable);
+    const bool is_as_passed = symbol.is_entry_of(dataflow::key_of(read.variable));
     if (!is_as_passed || !analysis_.program().is_formal(read.variable) || analysis_.is_main() ||
         contains(asked_, read.variable) || is_checked(read.variable, counter))
         return std::nullopt;
@@ -246,7 +244,7 @@ std::optional<OperandRisk> OperandRisks::shown_by_call(const Application& applic
     const GivenVariables given = given_variables(analysis_, operand);
     if (!given.closed || given.variables.empty()) return std::nullopt;
     for (const Caller& caller : analysis_.callers()) {
-        if (!WorkLimit::allows()) return std::nullopt;
+        if (!Budget::allows()) return std::nullopt;
         const ProgramAnalysis& calling = calling_program(analysis_, caller);
         const auto node = calling.graph().node_of(caller.effect);
         if (caller.program == analysis_.index() || !node || !calling.data().reached(*node) ||

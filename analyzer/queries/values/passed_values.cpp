@@ -23,18 +23,19 @@ const dataflow::ValueTable& table_of(const ProgramAnalysis& analysis) { return a
 
 /// The operands of a result.
 std::vector<SymbolId> operands_of(const Symbol& result) {
-    return result.c == 0 ? std::vector<SymbolId>{result.b} : std::vector<SymbolId>{result.b, result.c};
+    if (result.second() == 0) return {result.first()};
+    return {result.first(), result.second()};
 }
 
 void collect(const dataflow::ValueTable& table, SymbolId id, int depth, GivenVariables& given) {
     const Symbol& symbol = table.symbols[id];
-    if (symbol.kind == Symbol::Kind::entry) {
-        const Variable variable = dataflow::variable_of(symbol.a);
+    if (symbol.kind() == Symbol::Kind::entry) {
+        const Variable variable = dataflow::variable_of(symbol.key());
         if (std::ranges::find(given.variables, variable) == given.variables.end())
             given.variables.push_back(variable);
-    } else if (symbol.kind == Symbol::Kind::result && depth > 0) {
+    } else if (symbol.kind() == Symbol::Kind::result && depth > 0) {
         for (const SymbolId operand : operands_of(symbol)) collect(table, operand, depth - 1, given);
-    } else if (symbol.kind != Symbol::Kind::constant && symbol.kind != Symbol::Kind::vacant) {
+    } else if (symbol.kind() != Symbol::Kind::constant && symbol.kind() != Symbol::Kind::vacant) {
         given.closed = false;
     }
 }
@@ -50,16 +51,16 @@ class Passed {
     std::optional<double> number(SymbolId id, int depth) {
         const Symbol& symbol = table_of(analysis_).symbols[id];
         if (const auto constant = table_of(analysis_).number_of(id)) return constant;
-        if (symbol.kind == Symbol::Kind::vacant) return 0;
-        if (symbol.kind == Symbol::Kind::entry) return argument(dataflow::variable_of(symbol.a));
-        if (symbol.kind != Symbol::Kind::result || depth == 0) return std::nullopt;
+        if (symbol.kind() == Symbol::Kind::vacant) return 0;
+        if (symbol.kind() == Symbol::Kind::entry) return argument(dataflow::variable_of(symbol.key()));
+        if (symbol.kind() != Symbol::Kind::result || depth == 0) return std::nullopt;
         std::vector<double> operands;
         for (const SymbolId operand : operands_of(symbol)) {
             const auto value = number(operand, depth - 1);
             if (!value) return std::nullopt;
             operands.push_back(*value);
         }
-        return calculate(static_cast<Operation>(symbol.a), operands);
+        return calculate(symbol.operation(), operands);
     }
 
     [[nodiscard]] std::optional<Variable> left_out() const { return left_out_; }
@@ -135,16 +136,16 @@ bool ZeroSources::has_only_defaults(Variable variable) {
 
 void ZeroSources::collect(SymbolId id, int depth, std::vector<Variable>& zeros) {
     const Symbol& symbol = table_of(analysis_).symbols[id];
-    if (symbol.kind == Symbol::Kind::entry) zeros.push_back(dataflow::variable_of(symbol.a));
-    if (symbol.kind == Symbol::Kind::joined && dataflow::is_variable_key(symbol.a)) {
+    if (symbol.kind() == Symbol::Kind::entry) zeros.push_back(dataflow::variable_of(symbol.key()));
+    if (symbol.kind() == Symbol::Kind::joined && dataflow::is_variable_key(symbol.key())) {
         // What is joined may still be the value at the start.
-        const Variable variable = dataflow::variable_of(symbol.a);
-        if (has_only_defaults(variable) && without_assignment_.leads_to(variable, symbol.b))
+        const Variable variable = dataflow::variable_of(symbol.key());
+        if (has_only_defaults(variable) && without_assignment_.leads_to(variable, symbol.met_at()))
             zeros.push_back(variable);
     }
-    if (symbol.kind != Symbol::Kind::result || depth == 0) return;
-    switch (static_cast<Operation>(symbol.a)) {
-    case Operation::multiply: collect(symbol.c, depth - 1, zeros); [[fallthrough]];
+    if (symbol.kind() != Symbol::Kind::result || depth == 0) return;
+    switch (symbol.operation()) {
+    case Operation::multiply: collect(symbol.second(), depth - 1, zeros); [[fallthrough]];
     case Operation::divide:
     case Operation::negate:
     case Operation::absolute:
@@ -153,7 +154,7 @@ void ZeroSources::collect(SymbolId id, int depth, std::vector<Variable>& zeros) 
     case Operation::square_root:
     case Operation::round:
     case Operation::truncate:
-    case Operation::round_up: collect(symbol.b, depth - 1, zeros); break;
+    case Operation::round_up: collect(symbol.first(), depth - 1, zeros); break;
     default: break;
     }
 }

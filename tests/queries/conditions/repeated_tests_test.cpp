@@ -1,6 +1,6 @@
 //! What it takes to find cases that are asked twice.
 #include "analyzer/queries/conditions/repeated_tests.hpp"
-#include "analyzer/source/work_limit.hpp"
+#include "analyzer/source/budget.hpp"
 #include "tests/support/analysed.hpp"
 
 #include <cstddef>
@@ -28,9 +28,9 @@ std::string cases_in_a_row(int comparisons) {
 /// Whether they are all held against each other by no more than that work.
 bool are_compared_within(std::size_t work, int comparisons) {
     const auto workspace = test::analyse_fanuc(cases_in_a_row(comparisons));
-    const WorkLimit limit(work);
+    const Budget budget(work);
     (void)find_repeated_tests(workspace->programs().front());
-    return !limit.is_met();
+    return !budget.is_spent();
 }
 
 TEST(RepeatedTests, TakeMoreWorkTheMoreComparisonsThereAre) {

@@ -1,7 +1,7 @@
 //! Which reads find a variable that nothing has set.
 #include "analyzer/dataflow/facts/application.hpp"
 #include "analyzer/queries/vacancy/unset_reads.hpp"
-#include "analyzer/source/work_limit.hpp"
+#include "analyzer/source/budget.hpp"
 #include "tests/support/analysed.hpp"
 
 #include <cstddef>
@@ -61,9 +61,9 @@ TEST(UnsetReads, OfNamesThatNothingSetsAreLookedThroughOnce) {
     for (int i = 0; i < names; ++i) text += "#l1=#x" + std::to_string(i) + "+1\n";
     const auto workspace =
         test::analyse_files({{"x.ncs", text + "M30\nEND\n"}}, {.complete = false, .jobs = 1});
-    const WorkLimit limit(20 * std::size_t{names});
+    const Budget budget(20 * std::size_t{names});
     (void)find_unset_reads(workspace->programs().front());
-    EXPECT_FALSE(limit.is_met());
+    EXPECT_FALSE(budget.is_spent());
 }
 
 /// Whether the divisor of the last division is what it is for want of a value.

@@ -1,0 +1,151 @@
+//! Gathers rows of tests, and looks at how the blocks before each label end.
+#include "rules/flow/branch_falls_through_finder.hpp"
+
+#include <algorithm>
+#include <optional>
+#include <span>
+
+namespace maclint::rules {
+namespace {
+
+constexpr int most_nodes = 500;             ///< of the last branch of a table
+constexpr flow::NodeId nodes_of_a_test = 2; ///< the test and its jump
+
+/// A test of a table: where it jumps, and what it asks.
+struct Test {
+    flow::NodeId node;
+    flow::NodeId target;
+    EffectId jump;
+    Variable asked;
+};
+
+/// How a branch ends: by a jump to a node, or with the program.
+struct Leaving {
+    std::optional<flow::NodeId> to; ///< nothing: the program ends or returns
+    Span by;
+    [[nodiscard]] bool leads_where(const Leaving& other) const { return to == other.to; }
+};
+
+class Tables {
+  public:
+    explicit Tables(const ProgramAnalysis& analysis)
+        : program_(analysis.program())
+        , graph_(analysis.graph()) {}
+
+    [[nodiscard]] std::vector<FallingBranch> find() const {
+        std::vector<FallingBranch> found;
+        std::vector<Test> table;
+        for (flow::NodeId node = 0; node < graph_.nodes_in_text; ++node) {
+            if (!table.empty() && node < table.back().node + nodes_of_a_test) continue; // its jump
+            const auto test = test_at(node);
+            const bool goes_on = test && !table.empty() && table.back().node + nodes_of_a_test == node &&
+                                 test->asked == table.back().asked;
+            if (!goes_on) {
+                if (const auto falling = falling_branch(table)) found.push_back(*falling);
+                table.clear();
+            }
+            if (test) table.push_back(*test);
+        }
+        if (const auto falling = falling_branch(table)) found.push_back(*falling);
+        return found;
+    }
+
+  private:
+    /// The variable, where the condition asks whether one is a number.
+    [[nodiscard]] std::optional<Variable> asked_in(ExpressionId condition) const {
+        const auto* apply = std::get_if<Apply>(&program_.expressions[condition].node);
+        if (apply == nullptr || apply->operation != Operation::equal) return std::nullopt;
+        const auto operands = program_.operands_of(*apply);
+        const auto* load = std::get_if<Load>(&program_.expressions[operands.front()].node);
+        const auto* number = std::get_if<Literal>(&program_.expressions[operands.back()].node);
+        return load == nullptr || number == nullptr ? std::nullopt : std::optional(load->variable);
+    }
+
+    [[nodiscard]] std::optional<Test> test_at(flow::NodeId node) const {
+        for (const flow::EdgeId id : graph_.out[node]) {
+            const flow::Edge& edge = graph_.edges[id];
+            if (!edge.condition || !edge.holds) continue;
+            const auto asked = asked_in(*edge.condition);
+            const flow::Edge* jump = only_jump_at(edge.to);
+            if (asked && jump != nullptr) return Test{node, jump->to, *jump->jump, *asked};
+        }
+        return std::nullopt;
+    }
+
+    /// The jump that is all that leads on from the node; nullptr where it is not.
+    [[nodiscard]] const flow::Edge* only_jump_at(flow::NodeId node) const {
+        const auto out = graph_.out[node];
+        if (out.size() != 1) return nullptr;
+        const flow::Edge& edge = graph_.edges[out.front()];
+        return edge.kind == flow::EdgeKind::jump && edge.jump ? &edge : nullptr;
+    }
+
+    /// How the program leaves at the node, whatever is true there; nothing where it goes on.
+    [[nodiscard]] std::optional<Leaving> leaving_at(flow::NodeId node) const {
+        for (const flow::Exit& exit : graph_.exits_at(node))
+            if (exit.kind != flow::ExitKind::alarm && exit.effect && graph_.out[node].empty())
+                return Leaving{std::nullopt, program_.effects[*exit.effect].span};
+        const flow::Edge* jump = only_jump_at(node);
+        if (jump == nullptr) return std::nullopt;
+        return Leaving{jump->to, program_.effects[*jump->jump].span};
+    }
+
+    /// Whether one of the blocks from `begin` on goes on to the node, which stands behind them.
+    [[nodiscard]] bool is_run_into(flow::NodeId node, flow::NodeId begin) const {
+        return std::ranges::any_of(graph_.in[node], [&](flow::EdgeId id) {
+            const flow::Edge& edge = graph_.edges[id];
+            return begin <= edge.from && edge.from < node && edge.kind != flow::EdgeKind::jump &&
+                   edge.kind != flow::EdgeKind::computed && graph_.order[edge.from] != flow::Graph::no_order;
+        });
+    }
+
+    [[nodiscard]] std::optional<FallingBranch> falling_branch(std::span<const Test> table) const {
+        constexpr std::size_t fewest = 3;
+        if (table.size() < fewest) return std::nullopt;
+        std::vector<Test> branches(table.begin(), table.end());
+        std::ranges::sort(branches, {}, &Test::target);
+        const auto same = std::ranges::adjacent_find(branches, {}, &Test::target);
+        if (same != branches.end() || branches.front().target <= table.back().node) return std::nullopt;
+        std::optional<std::size_t> falling;
+        std::vector<Leaving> leaving;
+        for (std::size_t i = 0; i < branches.size(); ++i) {
+            const bool last = i + 1 == branches.size();
+            if (!last && is_run_into(branches[i + 1].target, branches[i].target)) {
+                if (falling) return std::nullopt; // it is how this table works
+                falling = i;
+            } else if (const auto how = last ? leaving_from(branches[i].target, leaving)
+                                             : leaving_at(branches[i + 1].target - 1)) {
+                leaving.push_back(*how);
+            }
+        }
+        if (!falling) return std::nullopt;
+        const auto twice = std::ranges::find_if(leaving, [&](const Leaving& one) {
+            return std::ranges::count_if(leaving, [&](const Leaving& o) { return o.leads_where(one); }) > 1;
+        });
+        if (twice == leaving.end()) return std::nullopt;
+        return FallingBranch{branches[*falling].jump, graph_.nodes[branches[*falling].target].part,
+                             graph_.nodes[branches[*falling + 1].target].part, twice->by};
+    }
+
+    /// How the last branch leaves: the way that another one does.
+    [[nodiscard]] std::optional<Leaving> leaving_from(flow::NodeId begin,
+                                                      std::span<const Leaving> others) const {
+        const flow::NodeId end = std::min<flow::NodeId>(graph_.nodes_in_text, begin + most_nodes);
+        for (flow::NodeId node = begin; node < end; ++node)
+            if (const auto how = leaving_at(node);
+                how && std::ranges::any_of(others, [&](const Leaving& o) { return o.leads_where(*how); }))
+                return how;
+        return std::nullopt;
+    }
+
+    const Program& program_;
+    const flow::Graph& graph_;
+};
+
+} // namespace
+
+std::vector<FallingBranch> find_falling_branches(const ProgramAnalysis& analysis) {
+    return Tables(analysis).find();
+}
+
+} // namespace maclint::rules

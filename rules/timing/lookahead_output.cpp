@@ -1,0 +1,89 @@
+//! MAC606: an output is switched while the control may still be making a move.
+#include "analyzer/program/tables.hpp"
+#include "rules/path.hpp"
+#include "rules/rule.hpp"
+#include "rules/timing/position_read_ahead_finder.hpp"
+#include "rules/trace.hpp"
+
+#include <set>
+
+namespace maclint::rules {
+
+namespace {
+void check(const ProgramAnalysis& analysis, Reporter& reporter);
+}
+
+extern const Rule lookahead_output{
+    .code = "MAC606",
+    .name = "lookahead-output",
+    .summary = "An output is switched behind a move with nothing between that stops look-ahead",
+    .why = "A control computes macro statements as soon as it has read them, while the axes still move: the "
+           "clamp opens, or the part is pushed out, before the tool is where the block before sends it. An M "
+           "code behind the move may stop look-ahead, where a parameter says so; name those that do under "
+           "'stops-look-ahead' of the control in .maclint.json.",
+    .severity = Severity::warning,
+    .precision = Precision::high,
+    .data_flow = true,
+    .messages = {{"output",
+                  "Output switched too early: '{0}' may be run before the move on line {1} has ended.",
+                  "Stop look-ahead after the move, as by G53 in a block of its own."}},
+    .bad = {{"fanuc", R"nc(
+O9606(PUSH THE PART OUT)
+G90 G0 X0 Y0
+#1101=1
+G4 X1.
+G53
+#1101=0
+M99
+)nc"}},
+    .good = {{"fanuc", R"nc(
+O9606(PUSH THE PART OUT)
+G90 G0 X0 Y0
+G53
+#1101=1
+G4 X1.
+G53
+#1101=0
+M99
+)nc"},
+             {"fanuc", R"nc(
+O9607(AIR ON, THEN MOVE)
+#1101=1
+G90 G0 X0 Y0
+M99
+)nc"}},
+    .sources = {"HAAS-LA", "MAN-AINANO"},
+    .check = &check,
+};
+
+namespace {
+
+/// Whether the assignment switches an output on or off.
+bool switches_output(const ProgramAnalysis& analysis, const Assign& assign) {
+    const auto* target = std::get_if<StoreMachine>(&assign.target);
+    if (target == nullptr) return false;
+    const VariableRange* range = analysis.control().families[target->family].find(target->number);
+    return range != nullptr && range->is_bit && range->on_write == OnWrite::store;
+}
+
+void check(const ProgramAnalysis& analysis, Reporter& reporter) {
+    const Program& program = analysis.program();
+    if (limits_look_ahead(program)) return; // wherever its block stands
+    std::set<flow::NodeId> said;            // one move, one finding
+    for (EffectId id = 0; id < program.effects.size(); ++id) {
+        const auto* assign = std::get_if<Assign>(&program.effects[id].what);
+        if (assign == nullptr || !switches_output(analysis, *assign)) continue;
+        const auto node = analysis.graph().node_of(id);
+        const auto move = node ? unfinished_move_before(analysis, *node, {}) : std::nullopt;
+        if (!move || !said.insert(move->node).second) continue;
+        const Span span = program.effects[id].span;
+        Finding& finding =
+            reporter.report({analysis, id}, span, "output",
+                            {quoted(program, span), line_number(analysis.file(), move->span.begin)});
+        trace(finding, analysis, move->node, {analysis.source(), move->span, "this move may still run"},
+              *node, "when the output is switched");
+    }
+}
+
+} // namespace
+} // namespace maclint::rules

@@ -1,0 +1,95 @@
+//! MAC607: an offset is made of where the probe touched, and nothing asks whether it did.
+#include "analyzer/dataflow/facts/comparison.hpp"
+#include "analyzer/dataflow/facts/read.hpp"
+#include "rules/path.hpp"
+#include "rules/rule.hpp"
+#include "rules/timing/skip_not_checked_finder.hpp"
+#include "rules/trace.hpp"
+
+namespace maclint::rules {
+
+namespace {
+void check(const ProgramAnalysis& analysis, Reporter& reporter);
+}
+
+extern const Rule skip_not_checked{
+    .code = "MAC607",
+    .name = "skip-not-checked",
+    .summary =
+        "An offset is made of the position where a probe should have touched, without a test whether it did",
+    .why =
+        "Where no signal comes, G31 runs to its end, and the position is that end. With the part missing or "
+        "the probe switched off the offset is wrong by the rest of the way, and the next tool follows it.",
+    .severity = Severity::note,
+    .precision = Precision::medium,
+    .facts = dataflow::facts<dataflow::Comparison, dataflow::Read>(),
+    .data_flow = true,
+    .messages =
+        {{"unchecked",
+          "Touch not checked: '{0}' may run to its end without a signal, and '{1}' makes an offset of "
+          "the position in '{2}' all the same.",
+          "Compare the position with the end of the move, and raise an alarm where they are the same."}},
+    .bad = {{"fanuc", R"nc(
+O9607(SET X0)
+G91 G31 X30. F80.
+G90
+G10 L2 P1 X[#5021-3.]
+G0 X-10.
+M99
+)nc"},
+            {"fanuc", R"nc(
+O9607(SET Z0)
+G91 G31 Z-20. F80.
+#31=#5063
+G0 Z10.
+G90
+#5223=#5223+#31
+M99
+)nc"}},
+    .good = {{"fanuc", R"nc(
+O9607(SET X0)
+#1=#5041+30.
+G91 G31 X30. F80.
+G90
+G53
+IF[ABS[#5061-#1]LT.005]THEN#3000=5(NO CONTACT)
+G10 L2 P1 X[#5021-3.]
+G0 X-10.
+M99
+)nc"},
+             {"fanuc", R"nc(
+O9607(SET X0, THE SENSOR IS ASKED)
+G91 G31 X30. F80.
+G90
+IF[#1004EQ0]GOTO9
+G10 L2 P1 X[#5061-3.]
+M99
+N9 #3000=5(NO CONTACT)
+)nc"},
+             {"fanuc", R"nc(
+O9607(SET X0 WHERE THE TOOL STANDS)
+G90 G1 X0 F200.
+G53
+G10 L2 P1 X[#5021-3.]
+M99
+)nc"}},
+    .sources = {"SEED-001:1376", "NCT-183"},
+    .check = &check,
+};
+
+namespace {
+
+void check(const ProgramAnalysis& analysis, Reporter& reporter) {
+    const Program& program = analysis.program();
+    for (const UncheckedTouch& touch : find_unchecked_touches(analysis)) {
+        const Span use = program.effects[touch.use].span;
+        Finding& finding = reporter.report(
+            {analysis, touch.move_span}, touch.move_span, "unchecked",
+            {quoted(program, touch.move_span), quoted(program, use), quoted(program, touch.read)});
+        trace(finding, analysis, touch.move, {analysis.source(), touch.move_span, "no signal may come here"},
+              touch.used_in, "when the offset is made");
+    }
+}
+
+} // namespace
+} // namespace maclint::rules
