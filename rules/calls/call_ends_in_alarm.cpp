@@ -1,14 +1,13 @@
 //! MAC470: a call whose program comes to its own alarm, whatever happens.
 #include "analyzer/dataflow/facts/call_begun.hpp"
 #include "rules/calls/call_ends_in_alarm_finder.hpp"
+#include "rules/calls/call_ends_in_alarm_words.hpp"
 #include "rules/path.hpp"
 #include "rules/rule.hpp"
 #include "rules/trace.hpp"
 
 #include <string>
-#include <string_view>
 #include <utility>
-#include <vector>
 
 namespace maclint::rules {
 
@@ -116,24 +115,6 @@ M99
 
 namespace {
 
-std::string names_of(const AlarmedCall& call) {
-    std::string names;
-    for (const Variable variable : call.asked)
-        names += (names.empty() ? "" : ", ") + with_letter(*call.called, variable);
-    return names;
-}
-
-std::string_view message_for(const AlarmedCall& call) {
-    switch (call.reason) {
-    case AlarmReason::left_out: return call.asked.empty() ? "vacant" : "left-out";
-    case AlarmReason::number: return call.asked.empty() ? "numbers" : "number";
-    case AlarmReason::out_of_order: return "order";
-    case AlarmReason::fallen_in: return "fallen-in";
-    case AlarmReason::always: break;
-    }
-    return "always";
-}
-
 /// How the called program gets to its alarm.
 void add_steps(Finding& finding, const AlarmReached& alarm) {
     if (!alarm.is_one_of_several)
@@ -147,9 +128,7 @@ void check(const ProgramAnalysis& analysis, Reporter& reporter) {
     for (const AlarmedCall& call : find_alarmed_calls(analysis)) {
         const Span span = program.effects[call.call].span;
         const ProgramAnalysis& stopping = *call.alarm.program;
-        const std::string alarm = std::string(call.alarm.is_one_of_several ? "an alarm, as " : "") + "'" +
-                                  quoted(stopping.program(), call.alarm.text) + "' on line " +
-                                  line_number(stopping.file(), call.alarm.text.begin);
+        const std::string alarm = alarm_of(call);
         Finding& finding =
             reporter.report({analysis, call.call}, span, message_for(call),
                             {quoted(program, span), names_of(call), stopping.program().name, alarm});

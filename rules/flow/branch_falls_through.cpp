@@ -15,7 +15,7 @@ extern const Rule branch_falls_through{
     .summary = "One branch of a table of jumps goes on into the next one, and the others do not",
     .why = "A GOTO is missing at its end: what is meant for the next case is done as well.",
     .severity = Severity::note,
-    .precision = Precision::medium,
+    .precision = Precision::high,
     .messages = {{"falls",
                   "Branch runs on: the branch from '{0}' on goes on into '{1}' on line {2}; others end with "
                   "'{3}'.",

@@ -1,8 +1,8 @@
 //! MAC606: an output is switched while the control may still be making a move.
 #include "analyzer/program/tables.hpp"
+#include "analyzer/queries/machine/unfinished_moves.hpp"
 #include "rules/path.hpp"
 #include "rules/rule.hpp"
-#include "rules/timing/position_read_ahead_finder.hpp"
 #include "rules/trace.hpp"
 
 #include <set>
@@ -68,13 +68,13 @@ bool switches_output(const ProgramAnalysis& analysis, const Assign& assign) {
 
 void check(const ProgramAnalysis& analysis, Reporter& reporter) {
     const Program& program = analysis.program();
-    if (limits_look_ahead(program)) return; // wherever its block stands
-    std::set<flow::NodeId> said;            // one move, one finding
+    if (queries::limits_look_ahead(program)) return; // wherever its block stands
+    std::set<flow::NodeId> said;                     // one move, one finding
     for (EffectId id = 0; id < program.effects.size(); ++id) {
         const auto* assign = std::get_if<Assign>(&program.effects[id].what);
         if (assign == nullptr || !switches_output(analysis, *assign)) continue;
         const auto node = analysis.graph().node_of(id);
-        const auto move = node ? unfinished_move_before(analysis, *node, {}) : std::nullopt;
+        const auto move = node ? queries::unfinished_move_before(analysis, *node, {}) : std::nullopt;
         if (!move || !said.insert(move->node).second) continue;
         const Span span = program.effects[id].span;
         Finding& finding =

@@ -1,10 +1,10 @@
 //! MAC605: a position is read while the control may still be making a move.
 #include "analyzer/dataflow/facts/comparison.hpp"
 #include "analyzer/dataflow/facts/read.hpp"
+#include "analyzer/queries/machine/unfinished_moves.hpp"
 #include "analyzer/queries/values/offsets.hpp"
 #include "rules/path.hpp"
 #include "rules/rule.hpp"
-#include "rules/timing/position_read_ahead_finder.hpp"
 #include "rules/trace.hpp"
 
 #include <set>
@@ -66,7 +66,7 @@ IF[#5041LT5.]GOTO9
 M99
 N9 #3000=1(TOO LOW)
 )nc"}},
-    .exemptions = {{&exemptions::distance_along_an_axis,
+    .exemptions = {{&queries::exemptions::distance_along_an_axis,
                     "distance-along-an-axis",
                     "Two positions of one axis are taken from each other: both are read ahead, and what is "
                     "left is an offset.",
@@ -85,12 +85,12 @@ namespace {
 
 void check(const ProgramAnalysis& analysis, Reporter& reporter) {
     const Program& program = analysis.program();
-    if (limits_look_ahead(program)) return; // wherever its block stands
-    std::set<ExpressionId> said;            // one read, one finding
-    std::set<EffectId> conditions;          // one condition, one finding
+    if (queries::limits_look_ahead(program)) return; // wherever its block stands
+    std::set<ExpressionId> said;                     // one read, one finding
+    std::set<EffectId> conditions;                   // one condition, one finding
     const auto look_at = [&](EffectId effect, ExpressionId value, Span use, std::string_view message) {
-        for (const PositionRead& read : positions_in(analysis, effect, value)) {
-            const auto move = unfinished_move_before(analysis, read.node, read.addresses);
+        for (const queries::PositionRead& read : queries::positions_in(analysis, effect, value)) {
+            const auto move = queries::unfinished_move_before(analysis, read.node, read.addresses);
             if (!move || !said.insert(read.expression).second) continue;
             if (message == "compared" && !conditions.insert(effect).second) continue;
             const Span span = program.expressions[read.expression].span;

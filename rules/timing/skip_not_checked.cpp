@@ -21,7 +21,7 @@ extern const Rule skip_not_checked{
         "Where no signal comes, G31 runs to its end, and the position is that end. With the part missing or "
         "the probe switched off the offset is wrong by the rest of the way, and the next tool follows it.",
     .severity = Severity::note,
-    .precision = Precision::medium,
+    .precision = Precision::high,
     .facts = dataflow::facts<dataflow::Comparison, dataflow::Read>(),
     .data_flow = true,
     .messages =
@@ -73,7 +73,7 @@ G53
 G10 L2 P1 X[#5021-3.]
 M99
 )nc"}},
-    .sources = {"SEED-001:1376", "NCT-183"},
+    .sources = {"SEED-001:1376"},
     .check = &check,
 };
 

@@ -6,8 +6,8 @@
 #include "analyzer/program/block_view.hpp"
 #include "analyzer/program/machine_words.hpp"
 #include "analyzer/program/tables.hpp"
+#include "analyzer/queries/machine/unfinished_moves.hpp"
 #include "analyzer/queries/values/offsets.hpp"
-#include "rules/timing/position_read_ahead_finder.hpp"
 
 #include <algorithm>
 #include <map>
@@ -15,6 +15,9 @@
 
 namespace maclint::rules {
 namespace {
+
+using queries::Positions;
+using queries::positions_in;
 
 class TouchesOfProgram {
   public:
@@ -116,7 +119,8 @@ class TouchesOfProgram {
     void look_at(EffectId use, ExpressionId value) {
         const auto node = graph_.node_of(use);
         if (!node) return;
-        for (const PositionRead& read : positions_in(analysis_, use, value, Positions::when_touched)) {
+        for (const queries::PositionRead& read :
+             positions_in(analysis_, use, value, Positions::when_touched)) {
             const auto move = touch_before(*node, true);
             if (!move || touch_before(read.node, read.is_kept) != move) continue;
             const auto span = code_in(*move, letters_.skips);

@@ -43,10 +43,12 @@ END
     .good = {{"fanuc", R"nc(
 O9203(SKIP)
 G31 Z#26 F50.
+IF[#5063LE#26]GOTO9
 #100=#5063+#18
 #5221=#100
 #1100=1
 M99
+N9 #3000=1(NO TOUCH)
 )nc"},
              {"dinplus", R"nc(
 MACHINING

@@ -12,8 +12,7 @@ namespace maclint::dataflow {
 
 VariableSets::VariableSets(const Program& program, const flow::Graph& graph)
     : program_(program)
-    , graph_(graph)
-    , index_reaches_(program, graph) {
+    , graph_(graph) {
     const auto number = [&](Variable variable) {
         const Variable meant = program.meant_by(variable);
         if (places_.try_emplace(meant, variables_.size()).second) variables_.push_back(meant);
@@ -39,7 +38,7 @@ void VariableSets::add_reads(std::optional<ExpressionId> id, VariableSet& set) c
                    [&](const Load& load) { add(load.variable, set); },
                    [&](const LoadAt& load) {
                        add_reads(load.index, set);
-                       add_if(set, [&](SpaceId space) { return reaches(load, space); });
+                       add_if(set, [&](SpaceId space) { return reaches(load.family, space); });
                    },
                    [&](const Apply& apply) {
                        for (const ExpressionId operand : program_.operands_of(apply)) add_reads(operand, set);
@@ -67,13 +66,10 @@ void VariableSets::replace(flow::NodeId node, Variable variable, VariableSet& se
 }
 
 /// Whether an index into the family can mean variables of the space.
-bool VariableSets::reaches(const LoadAt& load, SpaceId id) const {
-    const auto& ranges = program_.control->families[load.family].ranges;
-    const bool has = std::ranges::any_of(ranges, [&](const VariableRange& range) {
+bool VariableSets::reaches(FamilyId family, SpaceId id) const {
+    return std::ranges::any_of(program_.control->families[family].ranges, [&](const VariableRange& range) {
         return range.meaning == Meaning::variable && range.space == id;
     });
-    if (!has || program_.control->spaces[id].scope != Scope::frame) return has;
-    return index_reaches_.of(load.family, load.index, {}, 0).locals; // wherever it stands
 }
 
 } // namespace maclint::dataflow

@@ -3,7 +3,6 @@
 #pragma once
 
 #include "analyzer/dataflow/domain/small_vector.hpp"
-#include "analyzer/dataflow/solver/index_reach.hpp"
 #include "analyzer/flow/graph.hpp"
 #include "analyzer/program/model.hpp"
 
@@ -45,8 +44,7 @@ class VariableSets {
         for (std::size_t place = 0; place < variables_.size(); ++place)
             if (wanted(variables_[place].space)) set[place / word_bits] |= bit(place);
     }
-    /// What the expression reads; an index may mean any variable of its family, local ones only where it can
-    /// reach them.
+    /// What the expression reads; an index may mean any variable of its family.
     void add_reads(std::optional<ExpressionId> id, VariableSet& set) const;
 
     /// From after the store to before it.
@@ -58,11 +56,10 @@ class VariableSets {
         return std::uint64_t{1} << place % word_bits;
     }
     void replace(flow::NodeId node, Variable variable, VariableSet& set) const;
-    [[nodiscard]] bool reaches(const LoadAt& load, SpaceId id) const;
+    [[nodiscard]] bool reaches(FamilyId family, SpaceId id) const;
 
     const Program& program_;
     const flow::Graph& graph_;
-    mutable IndexReaches index_reaches_; ///< keeps what it found
     std::vector<Variable> variables_;
     std::unordered_map<Variable, std::size_t, VariableHash> places_; ///< of the variables in that list
 };

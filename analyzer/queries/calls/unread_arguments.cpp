@@ -19,7 +19,8 @@
 namespace maclint::queries {
 namespace {
 
-/// Whether what it reads of its arguments stands in its text.
+/// Whether what it reads of its arguments stands in its text: no index can reach them by the custom of
+/// programmers (IndexCustom).
 bool reads_by_name(const ProgramAnalysis& analysis) {
     const Program& program = analysis.program();
     dataflow::IndexReaches reaches(program, analysis.graph());
@@ -64,10 +65,21 @@ std::optional<EffectId> first_store(const Program& program, Variable variable) {
     return read_before ? std::nullopt : store;
 }
 
-/// The arguments that it may read as they were passed.
+/// Whether a block names the variable to read it.
+bool names(const Program& program, Variable variable) {
+    return std::ranges::any_of(program.expressions, [&](const Expression& expression) {
+        const auto* load = std::get_if<Load>(&expression.node);
+        return load != nullptr && program.meant_by(load->variable) == variable;
+    });
+}
+
+/// The arguments that it may read as they were passed, of a program that reads them by name. What data flow
+/// says of indices is more than that: it does not count on what programmers mean by them.
 std::vector<Variable> arguments_read(const ProgramAnalysis& called) {
     std::vector<Variable> live = called.liveness().live_before(0);
-    std::erase_if(live, [&](Variable variable) { return !can_be_passed(called.control(), variable); });
+    std::erase_if(live, [&](Variable variable) {
+        return !can_be_passed(called.control(), variable) || !names(called.program(), variable);
+    });
     return live;
 }
 

@@ -10,7 +10,7 @@
 #include <string_view>
 #include <vector>
 
-namespace maclint::rules {
+namespace maclint::queries {
 
 /// By which a position may be read while a move runs.
 namespace exemptions {
@@ -55,4 +55,4 @@ struct UnfinishedMove {
 [[nodiscard]] std::optional<UnfinishedMove>
 unfinished_move_before(const ProgramAnalysis& analysis, flow::NodeId node, std::string_view addresses);
 
-} // namespace maclint::rules
+} // namespace maclint::queries

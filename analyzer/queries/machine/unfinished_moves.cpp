@@ -1,5 +1,5 @@
 //! Follows values back to positions, and the flow back to moves.
-#include "rules/timing/position_read_ahead_finder.hpp"
+#include "analyzer/queries/machine/unfinished_moves.hpp"
 
 #include "analyzer/dataflow/facts/read.hpp"
 #include "analyzer/flow/walk.hpp"
@@ -9,7 +9,7 @@
 
 #include <algorithm>
 
-namespace maclint::rules {
+namespace maclint::queries {
 namespace {
 
 using dataflow::Symbol;
@@ -186,4 +186,4 @@ std::optional<UnfinishedMove> unfinished_move_before(const ProgramAnalysis& anal
     return found;
 }
 
-} // namespace maclint::rules
+} // namespace maclint::queries
