@@ -30,13 +30,16 @@ void Habits::see(const Step& step, const Program& program) {
         last_end_of_length_offset_ = step.block.span.begin;
     moves_ = moves_ || step.move != Move::none;
     if (step.changes_tool) {
+        const Known& offset = step.before.length_offset;
+        const bool had_one = offset.is_known() && offset.value > 0 && step.before.cut.is(1);
+        if (changes_ == 0 && had_one) ++tools_with_length_offset_; // the tool of the start
         ++changes_;
         waits_for_offset_ = waits_for_start_ = true;
         see_change(step, control);
     }
     const Known& length = step.after.length_offset;
     if (length.is_known() && length.value > 0 && length.block == step.block.span.begin) {
-        if (waits_for_offset_) ++changes_with_length_offset_;
+        if (waits_for_offset_) ++tools_with_length_offset_;
         waits_for_offset_ = false;
         if (step.after.tool.is_known()) ++pairs_[{step.after.tool.value, length.value}];
     }

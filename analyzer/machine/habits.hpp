@@ -19,9 +19,9 @@ class Habits {
 
     /// Whether anything moves.
     [[nodiscard]] bool is_of_interest() const { return moves_; }
-    /// Tool changes after which a length offset is chosen before the tool cuts. The tool that is in the
-    /// spindle when the program starts counts like one that it changes to.
-    [[nodiscard]] int changes_with_length_offset() const { return changes_with_length_offset_; }
+    /// Tools for which a length offset is chosen before the next one comes; the one that is in the spindle
+    /// when the program starts only where it cuts with it.
+    [[nodiscard]] int tools_with_length_offset() const { return tools_with_length_offset_; }
     [[nodiscard]] int changes() const { return changes_; }
     /// Whether the program turns the spindle by a word of its own.
     [[nodiscard]] bool turns_spindle() const { return turns_spindle_; }
@@ -79,8 +79,8 @@ class Habits {
 
     bool moves_ = false, turns_spindle_ = false, gives_feed_ = false, gives_speed_ = false,
          names_tools_ = false;
-    int changes_ = 0, changes_with_length_offset_ = 0, changes_with_start_ = 0;
-    bool waits_for_offset_ = true, waits_for_start_ = false;
+    int changes_ = 0, tools_with_length_offset_ = 0, changes_with_start_ = 0;
+    bool waits_for_offset_ = false, waits_for_start_ = false;
     AtChanges spindle_at_changes_, coolant_at_changes_;
     KeptModes kept_modes_;
     Offset last_end_of_length_offset_ = 0;

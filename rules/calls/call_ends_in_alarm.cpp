@@ -38,10 +38,10 @@ extern const Rule call_ends_in_alarm{
           "Write them in this order."},
          {"vacant", "Call ends in an alarm: with what '{0}' leaves out, {2} always comes to {3}.",
           "Pass what it asks for."},
-         {"number", "Call ends in an alarm: for the number that {1} has at '{0}', {2} always comes to {3}.",
-          "Pass another one."},
-         {"numbers", "Call ends in an alarm: for the numbers at '{0}', {2} always comes to {3}.",
-          "Pass others."},
+         {"number", "Call ends in an alarm: for the value of {1} at '{0}', {2} always comes to {3}.",
+          "Give it another one."},
+         {"numbers", "Call ends in an alarm: for the values at '{0}', {2} always comes to {3}.",
+          "Give others."},
          {"fallen-in", "Call ends in an alarm: {2} runs into {3} on every path, whatever is passed to it.",
           "End {2} before that, with M99 or a GOTO."},
          {"always", "Call ends in an alarm: {2} comes to {3}, whatever is passed to it.",
@@ -80,6 +80,15 @@ M99
 N99#3000=101(D)
 )nc"}},
     .good = {{"fanuc", R"nc(
+O0001(WITHOUT A POINT IT MAY BE 0.1)
+G65P9474X100
+M30
+O9474(X UP TO 50)
+IF[#24GT50]THEN#3000=1(X)
+G0X#24
+M99
+)nc"},
+             {"fanuc", R"nc(
 O0001(MAIN)
 IF[#500GT0]GOTO5
 G65P9472

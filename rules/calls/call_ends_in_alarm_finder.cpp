@@ -6,9 +6,11 @@
 #include "analyzer/flow/walk.hpp"
 #include "analyzer/program/tables.hpp"
 #include "analyzer/queries/calls/callers.hpp"
+#include "analyzer/queries/values/calculations.hpp"
 #include "analyzer/source/budget.hpp"
 
 #include <algorithm>
+#include <deque>
 #include <limits>
 #include <optional>
 #include <string_view>
@@ -25,6 +27,8 @@ using dataflow::KnownStart;
 
 constexpr int most_levels = 8;            ///< of calls that lead to the alarm
 constexpr std::size_t most_followed = 64; ///< ways to begin one program
+/// Letters of arguments that are numbers of something, with a decimal point or without [MAN-PB278].
+constexpr std::string_view whole_letters = "DHSTM";
 constexpr flow::EdgeId none = std::numeric_limits<flow::EdgeId>::max();
 
 /// Which edges of a program can be taken.
@@ -250,7 +254,29 @@ class Finder {
 
     const std::optional<AlarmedCall>& end_for(const ProgramAnalysis& called, const CallBegun& begun) {
         const auto& end = follow(called, begun.start);
-        return end || begun.with_numbers.known.empty() ? end : follow(called, begun.with_numbers);
+        if (end || begun.with_numbers.known.empty()) return end;
+        KnownStart start = begun.with_numbers;
+        std::erase_if(start.known, [&](const dataflow::KnownVariable& known) {
+            return has_number(known) && !is_certain(begun.effect, known);
+        });
+        if (!has_numbers(start)) return end;
+        return follow(called, with_numbers_.emplace_back(std::move(start)));
+    }
+
+    /// Whether the control has that number, too: no calculation has rounded it, and it is not one that is
+    /// passed without a decimal point, of which a parameter says what it counts in.
+    [[nodiscard]] bool is_certain(EffectId effect, const dataflow::KnownVariable& known) const {
+        if (!queries::is_as_written(*known.number)) return false;
+        const Program& program = analysis_.program();
+        const auto arguments = program.arguments_of(queries::call_of(program, effect));
+        const auto passed = std::ranges::find_if(arguments, [&](const Argument& argument) {
+            const auto* given = std::get_if<Variable>(&argument.given);
+            return given != nullptr && *given == known.variable;
+        });
+        if (passed == arguments.end() || analysis_.control().calculator_input) return true;
+        const auto* literal = std::get_if<Literal>(&program.expressions[passed->value].node);
+        return literal == nullptr || literal->decimal_point || literal->value == 0 ||
+               whole_letters.find(passed->address) != std::string_view::npos;
     }
 
     const std::optional<AlarmedCall>& follow(const ProgramAnalysis& called, const KnownStart& start) {
@@ -290,6 +316,7 @@ class Finder {
     const ProgramAnalysis& analysis_;
     std::unordered_map<const ProgramAnalysis*, std::vector<Followed>> followed_;
     std::unordered_set<EffectId> told_;
+    std::deque<KnownStart> with_numbers_; ///< that were followed
 };
 
 } // namespace

@@ -19,7 +19,7 @@ extern const Rule branch_falls_through{
     .messages = {{"falls",
                   "Branch runs on: the branch from '{0}' on goes on into '{1}' on line {2}; others end with "
                   "'{3}'.",
-                  "Write the jump at its end, or a remark there that it is meant."}},
+                  "Write the jump at its end; where it is meant to run on, allow the finding there."}},
     .bad = {{"fanuc", R"nc(
 O9339(PART, A IS ITS KIND)
 IF[#1EQ1]GOTO10
@@ -43,6 +43,19 @@ N10 G0 X10.
 GOTO90
 N20 G0 X20.
 GOTO90
+N30 G0 X30.
+GOTO90
+N90 M99
+)nc"},
+             {"fanuc", R"nc(
+O9338(TWO KINDS THAT ARE MADE ALIKE)
+IF[#1EQ1]GOTO10
+IF[#1EQ2]GOTO20
+IF[#1EQ3]GOTO30
+GOTO90
+N10 G0 X10.
+GOTO90
+N20
 N30 G0 X30.
 GOTO90
 N90 M99

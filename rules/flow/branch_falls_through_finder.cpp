@@ -1,6 +1,9 @@
 //! Gathers rows of tests, and looks at how the blocks before each label end.
 #include "rules/flow/branch_falls_through_finder.hpp"
 
+#include "analyzer/program/block_view.hpp"
+#include "analyzer/queries/conditions/conditions.hpp"
+
 #include <algorithm>
 #include <optional>
 #include <span>
@@ -16,7 +19,7 @@ struct Test {
     flow::NodeId node;
     flow::NodeId target;
     EffectId jump;
-    Variable asked;
+    ExpressionId asked; ///< what is compared with a number
 };
 
 /// How a branch ends: by a jump to a node, or with the program.
@@ -39,7 +42,7 @@ class Tables {
             if (!table.empty() && node < table.back().node + nodes_of_a_test) continue; // its jump
             const auto test = test_at(node);
             const bool goes_on = test && !table.empty() && table.back().node + nodes_of_a_test == node &&
-                                 test->asked == table.back().asked;
+                                 queries::same_expression(program_, test->asked, table.back().asked);
             if (!goes_on) {
                 if (const auto falling = falling_branch(table)) found.push_back(*falling);
                 table.clear();
@@ -51,14 +54,16 @@ class Tables {
     }
 
   private:
-    /// The variable, where the condition asks whether one is a number.
-    [[nodiscard]] std::optional<Variable> asked_in(ExpressionId condition) const {
+    /// What the condition compares with a number by EQ, and is none.
+    [[nodiscard]] std::optional<ExpressionId> asked_in(ExpressionId condition) const {
         const auto* apply = std::get_if<Apply>(&program_.expressions[condition].node);
         if (apply == nullptr || apply->operation != Operation::equal) return std::nullopt;
         const auto operands = program_.operands_of(*apply);
-        const auto* load = std::get_if<Load>(&program_.expressions[operands.front()].node);
-        const auto* number = std::get_if<Literal>(&program_.expressions[operands.back()].node);
-        return load == nullptr || number == nullptr ? std::nullopt : std::optional(load->variable);
+        const auto is_number = [&](ExpressionId id) {
+            return std::holds_alternative<Literal>(program_.expressions[id].node);
+        };
+        if (is_number(operands.front()) == is_number(operands.back())) return std::nullopt;
+        return is_number(operands.front()) ? operands.back() : operands.front();
     }
 
     [[nodiscard]] std::optional<Test> test_at(flow::NodeId node) const {
@@ -110,6 +115,8 @@ class Tables {
         std::vector<Leaving> leaving;
         for (std::size_t i = 0; i < branches.size(); ++i) {
             const bool last = i + 1 == branches.size();
+            if (!last && is_empty(branches[i].target, branches[i + 1].target))
+                continue; // one branch for both
             if (!last && is_run_into(branches[i + 1].target, branches[i].target)) {
                 if (falling) return std::nullopt; // it is how this table works
                 falling = i;
@@ -127,9 +134,23 @@ class Tables {
                              graph_.nodes[branches[*falling + 1].target].part, twice->by};
     }
 
-    /// How the last branch leaves: the way that another one does.
+    /// Whether nothing but labels stands there.
+    [[nodiscard]] bool is_empty(flow::NodeId begin, flow::NodeId end) const {
+        bool empty = true;
+        for (flow::NodeId node = begin; node < end; ++node) {
+            empty &= graph_.nodes[node].effects.count == 0;
+            for_each_block_with_words(
+                program_, graph_.nodes[node].stretch(),
+                [&](const BlockView&, std::span<const Word> words) { empty &= words.empty(); });
+        }
+        return empty;
+    }
+
+    /// How the last branch leaves: the way that another one does, or by running into its end.
     [[nodiscard]] std::optional<Leaving> leaving_from(flow::NodeId begin,
                                                       std::span<const Leaving> others) const {
+        for (const Leaving& other : others)
+            if (other.to && *other.to > begin && is_run_into(*other.to, begin)) return other;
         const flow::NodeId end = std::min<flow::NodeId>(graph_.nodes_in_text, begin + most_nodes);
         for (flow::NodeId node = begin; node < end; ++node)
             if (const auto how = leaving_at(node);

@@ -114,7 +114,7 @@ void check(const MachineStep& at, Reporter& reporter) {
     const machine::Known& offset = at.after().cutter_offset;
     // Who numbers no offset of the length may have the radius elsewhere, too.
     const bool none =
-        offset.is_callers() && at.analysis.is_main() && at.habits.changes_with_length_offset() > 0;
+        offset.is_callers() && at.analysis.is_main() && at.habits.tools_with_length_offset() > 0;
     const bool is_others = offset.is(machine::not_since_change);
     if ((!none && !is_others && !offset.is(0)) || !at.is_first_of(offset)) return;
     reporter.report(at.cause(), at.block(),

@@ -17,7 +17,7 @@ void look_for_offset_skipped(const MachineStep& at, Reporter& reporter) {
         return;
     if (moved != Known::Kind::unknown && !at.before().moved_in_z.is(0)) return;
     // That tool's own choice is one of them.
-    if (at.habits.changes_with_length_offset() < 2) return;
+    if (at.habits.tools_with_length_offset() < 2) return;
     const Known change = Known::of(0, state.without_offset_since),
                 choice = Known::of(0, state.offset_chosen_at);
     if (at.told.contains(change.block)) return;

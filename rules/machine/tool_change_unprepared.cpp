@@ -100,7 +100,7 @@ void check(const MachineStep& at, Reporter& reporter) {
     const machine::Known& speed = at.after().of(ModalRole::speed);
     const bool none = speed.is_callers();
     // Routers without a word for the speed have none for the tool's length either.
-    const bool has_speeds = at.habits.gives_speed() || at.habits.changes_with_length_offset() > 0;
+    const bool has_speeds = at.habits.gives_speed() || at.habits.tools_with_length_offset() > 0;
     if (!(none && has_speeds) && !speed.is(0)) return;
     if (!at.is_first_of(speed)) return;
     const Span start = at.block_of(at.after().of(ModalRole::spindle));

@@ -5,7 +5,7 @@
 #include "rules/rule.hpp"
 #include "rules/trace.hpp"
 
-#include <set>
+#include <map>
 
 namespace maclint::rules {
 
@@ -66,22 +66,42 @@ bool switches_output(const ProgramAnalysis& analysis, const Assign& assign) {
     return range != nullptr && range->is_bit && range->on_write == OnWrite::store;
 }
 
-void check(const ProgramAnalysis& analysis, Reporter& reporter) {
+/// An assignment that may be run before the move has ended.
+struct EarlyOutput {
+    EffectId effect;
+    flow::NodeId node;
+    queries::UnfinishedMove move;
+    [[nodiscard]] bool stands_behind() const { return node > move.node; }
+};
+
+/// For each move the first behind it in the text, else the first of those that the next round of a loop comes
+/// to.
+std::map<flow::NodeId, EarlyOutput> early_outputs(const ProgramAnalysis& analysis) {
+    std::map<flow::NodeId, EarlyOutput> found;
     const Program& program = analysis.program();
-    if (queries::limits_look_ahead(program)) return; // wherever its block stands
-    std::set<flow::NodeId> said;                     // one move, one finding
     for (EffectId id = 0; id < program.effects.size(); ++id) {
         const auto* assign = std::get_if<Assign>(&program.effects[id].what);
         if (assign == nullptr || !switches_output(analysis, *assign)) continue;
         const auto node = analysis.graph().node_of(id);
         const auto move = node ? queries::unfinished_move_before(analysis, *node, {}) : std::nullopt;
-        if (!move || !said.insert(move->node).second) continue;
-        const Span span = program.effects[id].span;
+        if (!move) continue;
+        const EarlyOutput early{id, *node, *move};
+        const auto [first, fresh] = found.try_emplace(move->node, early);
+        if (!fresh && early.stands_behind() && !first->second.stands_behind()) first->second = early;
+    }
+    return found;
+}
+
+void check(const ProgramAnalysis& analysis, Reporter& reporter) {
+    const Program& program = analysis.program();
+    if (queries::limits_look_ahead(program)) return;          // wherever its block stands
+    for (const auto& [at, early] : early_outputs(analysis)) { // one move, one finding
+        const Span span = program.effects[early.effect].span;
         Finding& finding =
-            reporter.report({analysis, id}, span, "output",
-                            {quoted(program, span), line_number(analysis.file(), move->span.begin)});
-        trace(finding, analysis, move->node, {analysis.source(), move->span, "this move may still run"},
-              *node, "when the output is switched");
+            reporter.report({analysis, early.effect}, span, "output",
+                            {quoted(program, span), line_number(analysis.file(), early.move.span.begin)});
+        trace(finding, analysis, at, {analysis.source(), early.move.span, "this move may still run"},
+              early.node, "when the output is switched");
     }
 }
 

@@ -67,6 +67,17 @@ M99
 N9 #3000=5(NO CONTACT)
 )nc"},
              {"fanuc", R"nc(
+O9608(THE WAY IS ASKED FOR BEHIND IT)
+#1=#5043
+G91 G31 Z-20. F50.
+G90
+#2=#1-#5063
+#5223=#5063
+IF[#2GT19.99]GOTO9
+M99
+N9 #3000=1(NO TOUCH)
+)nc"},
+             {"fanuc", R"nc(
 O9607(SET X0 WHERE THE TOOL STANDS)
 G90 G1 X0 F200.
 G53

@@ -6,6 +6,7 @@
 #include "analyzer/program/block_view.hpp"
 #include "analyzer/program/machine_words.hpp"
 #include "analyzer/program/tables.hpp"
+#include "analyzer/queries/machine/changing_values.hpp"
 #include "analyzer/queries/machine/unfinished_moves.hpp"
 #include "analyzer/queries/values/offsets.hpp"
 
@@ -133,22 +134,10 @@ class TouchesOfProgram {
     [[nodiscard]] bool compares_what_changes() const {
         const auto& comparisons = analysis_.facts().all<dataflow::Comparison>();
         return std::ranges::any_of(comparisons, [&](const dataflow::Comparison& comparison) {
-            return changes(comparison.expression) ||
-                   !positions_in(analysis_, comparison.effect, comparison.expression, Positions::when_touched)
+            return queries::reads_what_changes(analysis_, comparison.expression) ||
+                   !positions_in(analysis_, comparison.effect, comparison.expression, Positions::compared)
                         .empty();
         });
-    }
-    [[nodiscard]] bool changes(ExpressionId id) const {
-        const auto& node = program_.expressions[id].node;
-        if (const auto* machine = std::get_if<LoadMachine>(&node)) {
-            const VariableRange* range = analysis_.control().families[machine->family].find(machine->number);
-            return range == nullptr || range->changes_by_itself;
-        }
-        if (std::holds_alternative<LoadAt>(node)) return true;
-        const auto* apply = std::get_if<Apply>(&node);
-        return apply != nullptr &&
-               std::ranges::any_of(program_.operands_of(*apply),
-                                   [&](ExpressionId operand) { return changes(operand); });
     }
 
     const ProgramAnalysis& analysis_;

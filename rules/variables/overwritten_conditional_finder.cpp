@@ -4,6 +4,7 @@
 #include "analyzer/dataflow/facts/read.hpp"
 #include "analyzer/execution/path_search.hpp"
 #include "analyzer/queries/conditions/conditions.hpp"
+#include "analyzer/queries/machine/changing_values.hpp"
 
 #include <algorithm>
 #include <array>
@@ -39,7 +40,10 @@ class CoveredCases {
                 node = next_of(*node);
                 continue;
             }
-            if (reads(decision->if_true, store.variable)) return std::nullopt;
+            // An index may read the variable, and an input may be another the second time.
+            if (reads(decision->if_true, store.variable) ||
+                queries::reads_what_changes(analysis_, decision->condition))
+                return std::nullopt;
             if (const dataflow::Store* later = store_in(decision->if_true, store.variable)) {
                 // A block that stands there twice loses nothing.
                 if (queries::same_expression(program_, store.expression, later->expression) ||

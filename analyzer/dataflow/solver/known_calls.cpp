@@ -82,8 +82,8 @@ std::optional<bool> comes_back_at_first(const flow::Graph& graph, States& states
 
 } // namespace
 
-/// What is known at the call of the variables that decide over the callee's end. Nothing when no number is
-/// known: that the call leaves some out is no reason to look by itself.
+/// What is known at the call of the variables that decide over the callee's end, and which arguments it
+/// passes.
 KnownStart Transfer::known_at(const State& state, const Call& call, std::span<const Variable> deciding) {
     const bool shared_frame = program_.control->calls[call.kind].frame == Frame::shared;
     FactLists* const facts = std::exchange(facts_, nullptr); // what is read is recorded already

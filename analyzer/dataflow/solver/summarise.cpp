@@ -89,6 +89,7 @@ class Summariser {
     }
 
     static constexpr std::size_t most_written = 1000;
+    static constexpr std::size_t most_deciding = 32; ///< whose assignments are followed
     /// Variables that a caller may have handed down and that this program, or one that it calls, writes; of
     /// too many it is not kept which.
     [[nodiscard]] std::optional<std::vector<std::string>> written_for_callers() const {
@@ -114,6 +115,7 @@ class Summariser {
         return written;
     }
 
+    /// The variables on which it depends how the program ends, and those that they are made of.
     [[nodiscard]] std::vector<Variable> decides_end() const {
         std::vector<Variable> deciding;
         const auto add_all = [&](ExpressionId expression) {
@@ -127,6 +129,10 @@ class Summariser {
             if (const auto* jump = std::get_if<Jump>(&effect.what)) add_all(jump->target);
             return false;
         });
+        // And what these are made of.
+        for (std::size_t next = 0; next < std::min(deciding.size(), most_deciding); ++next)
+            for (const Store& store : facts_.of<Store>())
+                if (store.variable == deciding[next]) add_all(store.expression);
         return deciding;
     }
 

@@ -1,6 +1,7 @@
 //! Compares what calls pass with what is live at the start of the called program.
 #include "analyzer/queries/calls/unread_arguments.hpp"
 
+#include "analyzer/dataflow/domain/read_set.hpp"
 #include "analyzer/dataflow/solver/index_reach.hpp"
 #include "analyzer/dialect/characters.hpp"
 #include "analyzer/program/block_view.hpp"
@@ -26,7 +27,13 @@ bool reads_by_name(const ProgramAnalysis& analysis) {
     dataflow::IndexReaches reaches(program, analysis.graph());
     const auto through_index = [&](const Expression& expression) {
         const auto* load = std::get_if<LoadAt>(&expression.node);
-        return load != nullptr && reaches.of(load->family, load->index, {}, 0).locals;
+        if (load == nullptr) return false;
+        // What callers put into a variable that all share is theirs to say.
+        const auto index = dataflow::variables_of(program, load->index).variables;
+        const bool is_own = std::ranges::all_of(index, [&](Variable variable) {
+            return analysis.control().spaces[variable.space].scope == Scope::frame;
+        });
+        return !is_own || reaches.of(load->family, load->index, {}, 0).locals;
     };
     bool by_name = std::ranges::none_of(program.expressions, through_index);
     for_each_effect(program, [&](EffectId id) {

@@ -56,7 +56,7 @@ class Gather {
     [[nodiscard]] std::vector<PositionRead> found() const {
         std::vector<PositionRead> left;
         std::ranges::copy_if(found_, std::back_inserter(left), [&](const PositionRead& one) {
-            return !exemptions::distance_along_an_axis.is_on() ||
+            return which_ == Positions::compared || !exemptions::distance_along_an_axis.is_on() ||
                    std::ranges::none_of(found_, [&](const PositionRead& other) {
                        return other.axis == one.axis && other.subtracted != one.subtracted;
                    });
@@ -74,7 +74,7 @@ class Gather {
         if (machine == nullptr) return false;
         const VariableRange* range = analysis_.control().families[machine->family].find(machine->number);
         if (range == nullptr) return false;
-        const bool is_kept = which_ == Positions::when_touched && range->is_skip_position;
+        const bool is_kept = which_ != Positions::while_moving && range->is_skip_position;
         if (range->positions_of.empty() && !is_kept) return false;
         const std::int32_t axis = machine->number - range->first;
         found_.push_back({id, node, axis, addresses_of(range->positions_of, axis), subtracted, is_kept});

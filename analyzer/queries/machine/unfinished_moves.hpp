@@ -31,6 +31,7 @@ struct PositionRead {
 enum class Positions : std::uint8_t {
     while_moving, ///< where the axes are
     when_touched, ///< where they are, and where a signal ended a move
+    compared,     ///< the same, and those that are taken from each other: a way is asked for, too
 };
 
 /// The positions that decide the expression, which is evaluated at the effect: read there, or before and

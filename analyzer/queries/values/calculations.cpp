@@ -121,11 +121,15 @@ bool is_zero_as_on_paper(const ProgramAnalysis& analysis, const dataflow::Value&
     return Calculation(analysis.data().table()).is_zero_as_on_paper(value.symbol);
 }
 
-bool is_as_written(const dataflow::Value& value) {
+bool is_as_written(double number) {
     constexpr double decimals = 1e9;
     constexpr double largest = 1e6; // above that a double has no room for so many decimals
+    return std::abs(number) < largest && std::round(number * decimals) / decimals == number;
+}
+
+bool is_as_written(const dataflow::Value& value) {
     const auto number = value.constant();
-    return number && std::abs(*number) < largest && std::round(*number * decimals) / decimals == *number;
+    return number && is_as_written(*number);
 }
 
 bool is_of_own_variables(const ProgramAnalysis& analysis, ExpressionId expression) {

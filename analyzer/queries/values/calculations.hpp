@@ -32,6 +32,7 @@ namespace maclint::queries {
 /// Whether the value is one number, known, and the one that somebody would write for it: -0.642-2.130 is
 /// -2.772, but 0.1+0.2 is not 0.3.
 [[nodiscard]] bool is_as_written(const dataflow::Value& value);
+[[nodiscard]] bool is_as_written(double number);
 
 /// Whether nothing but numbers and locals of the program decides the expression: what others set, too, may
 /// have changed while the program stood.
