@@ -5,10 +5,14 @@
 #include "analyzer/source/platform/paths.hpp"
 #include "cli/options/check_options.hpp"
 #include "cli/options/choices.hpp"
+#include "cli/options/help.hpp"
 #include "cli/shell/completions.hpp"
 #include "cli/shell/describe.hpp"
 #include "cli/shell/manual_page.hpp"
-#include "cli/suggest.hpp"
+#include "cli/terminal.hpp"
+#include "cli/text/guess.hpp"
+#include "cli/text/letters.hpp"
+#include "cli/text/shown.hpp"
 
 #include <algorithm>
 #include <array>
@@ -31,7 +35,9 @@ constexpr std::array<Choice<ShellScript>, 3> shells{
 struct Words {
     CheckWords check;
     std::string format = "text", docs_folder, codes_folder, alarms_file, rule, dialect = "auto", control,
-                colour = "auto", shell, about = "check";
+                colour = "auto", shell, about = "check", folder = ".", start, step;
+    std::vector<std::string> files;
+    bool print = false, diff = false;
 };
 
 struct Command {
@@ -41,6 +47,7 @@ struct Command {
     std::string_view heading;  ///< of its help
     void (*declare)(CLI::App& app, Words& words);
     Request (*request)(const Words& words);
+    std::span<const HelpExample> examples = {};
 };
 
 std::span<const Command> commands();
@@ -57,6 +64,7 @@ std::vector<std::string> command_names() {
 }
 
 void declare_common(CLI::App& app) {
+    app.option_defaults()->group("Options");
     app.set_help_flag("--help,-h", "This text");
     app.set_version_flag("--version,-V", std::string(version_text), "The version");
 }
@@ -104,27 +112,40 @@ void refuse_empty_values(const CLI::App& app) {
             refuse_empty(option->get_name());
 }
 
-std::string overview(CLI::App& check) {
-    check.name("[check]");
-    std::string text =
-        "maclint finds in NC programs what the control would only find with the spindle turning.\n\n"
-        "Commands:\n";
+std::string usage_of(const Command& command) {
+    const std::string name = command.name == "check" ? "[check]" : std::string(command.name);
+    return "maclint " + name + " [OPTIONS]" + (command.operands.empty() ? "" : " ") +
+           std::string(command.operands);
+}
+
+/// What stands above the options of `check`, which is meant where no command is named.
+std::string overview(std::size_t width) {
+    std::vector<HelpCommand> list;
     for (const Command& command : commands()) {
-        constexpr std::size_t width = 20;
-        const bool is_default = command.name == "check";
-        std::string line(is_default ? "[check]" : command.name);
-        if (!command.operands.empty()) line.append(" ").append(command.operands);
-        line.resize(std::max(width, line.size() + 1), ' ');
-        text += "  maclint " + line + in_lower_case(command.text.substr(0, 1)) +
-                std::string(command.text.substr(1)) + "\n";
+        const std::string name = command.name == "check" ? "[check]" : std::string(command.name);
+        list.push_back(
+            {"maclint " + name + (command.operands.empty() ? "" : " ") + std::string(command.operands),
+             in_lower_case(command.text.substr(0, 1)) + std::string(command.text.substr(1))});
     }
-    return text + "\n" + check.help("maclint") +
-           "\nExit status: 0 nothing at or above --fail-on, 1 findings, 2 wrong usage, configuration or "
-           "input.\n";
+    return paragraph("maclint finds in NC programs what the control would only find with the spindle "
+                     "turning.",
+                     width) +
+           "\n" + help_of(list, width) + "\n";
+}
+
+std::string help_of(const Command& command, const CLI::App& app) {
+    const std::size_t width = output_width();
+    std::string text = command.name == "check" ? overview(width) : "";
+    text += help_of(app, usage_of(command), command.examples, width);
+    return text + (command.name != "check"
+                       ? ""
+                       : "\n" + paragraph("Exit status: 0 nothing at or above --fail-on, 1 findings, 2 wrong "
+                                          "usage, configuration or input.",
+                                          width));
 }
 
 /// What is to be printed in place of what the command does, where that was asked for.
-std::optional<PrintRequest> parse(CLI::App& app, std::vector<std::string> arguments) {
+std::optional<PrintRequest> parse(const Command& command, CLI::App& app, std::vector<std::string> arguments) {
     app.allow_extras();
     app.allow_windows_style_options(false); // "/shop/O1.nc" is a path there, too
     refuse_empty_values(app, arguments);
@@ -132,7 +153,7 @@ std::optional<PrintRequest> parse(CLI::App& app, std::vector<std::string> argume
     try {
         app.parse(std::move(arguments));
     } catch (const CLI::CallForHelp&) {
-        return PrintRequest{app.get_name() == "check" ? overview(app) : app.help("maclint")};
+        return PrintRequest{help_of(command, app)};
     } catch (const CLI::CallForVersion&) {
         return PrintRequest{std::string(version_text)};
     } catch (const CLI::ParseError& error) {
@@ -146,9 +167,9 @@ std::optional<PrintRequest> parse(CLI::App& app, std::vector<std::string> argume
 Request read(const Command& command, std::vector<std::string> arguments) {
     CLI::App app(std::string(command.heading), std::string(command.name));
     Words words;
-    declare_common(app);
     command.declare(app, words);
-    if (auto print = parse(app, std::move(arguments))) return *std::move(print);
+    declare_common(app);
+    if (auto print = parse(command, app, std::move(arguments))) return *std::move(print);
     return command.request(words);
 }
 
@@ -195,6 +216,7 @@ void declare_explain(CLI::App& app, Words& words) {
         ->type_name("NAME");
     app.add_option("--control", words.control, "Of a code, a variable or an alarm: on this control alone")
         ->type_name("NAME");
+    app.add_option("--format", words.format, "text or json")->type_name("FORMAT");
     app.add_option("--color", words.colour, "auto, always or never; NO_COLOR is respected")
         ->type_name("WHEN");
 }
@@ -209,7 +231,8 @@ Request explain_request(const Words& words) {
     const ControlModel* control = words.control.empty() ? nullptr : find_control(words.control);
     if (control == nullptr && !words.control.empty())
         refuse_word("--control", words.control, control_names());
-    return ExplainRequest{words.rule, colour, dialect, control};
+    return ExplainRequest{words.rule, colour, dialect, control,
+                          choose("--format", words.format, plain_list_formats)};
 }
 
 void declare_controls(CLI::App& app, Words& words) {
@@ -224,6 +247,42 @@ Request controls_request(const Words& words) {
     if (control == nullptr && !words.control.empty()) refuse_word("controls", words.control, control_names());
     return ControlsRequest{choose("--format", words.format, plain_list_formats), control,
                            choose("--color", words.colour, colours)};
+}
+
+void declare_init(CLI::App& app, Words& words) {
+    app.add_option("FOLDER", words.folder, "The folder that the programs lie in (default: .)")->type_name("");
+    app.add_flag("--print", words.print, "Show what would be written, and write nothing");
+}
+
+Request init_request(const Words& words) { return InitRequest{words.folder, words.print}; }
+
+void declare_renumber(CLI::App& app, Words& words) {
+    app.add_option("FILE", words.files, "Programs; each is numbered for itself")->type_name("");
+    app.add_option("--start", words.start, "Number of the first block (default: 10)")->type_name("N");
+    app.add_option("--step", words.step, "From one number to the next (default: 10)")->type_name("N");
+    app.add_flag("--diff", words.diff, "Print what would change, and change nothing");
+    app.add_option("--dialect", words.dialect, "Language of the programs, where they do not show it")
+        ->type_name("NAME");
+    app.add_option("--control", words.control, "Control that the programs are for")->type_name("NAME");
+}
+
+Request renumber_request(const Words& words) {
+    constexpr std::int64_t most = 99999;
+    if (words.files.empty()) refuse("renumber needs a program. Write 'maclint renumber O9100.nc'.");
+    RenumberRequest request;
+    request.paths = words.files;
+    request.diff = words.diff;
+    if (std::ranges::find(words.files, "-") != words.files.end())
+        refuse("renumber does not take standard input. Name the file.");
+    request.overrides.dialect = find_dialect(words.dialect);
+    if (request.overrides.dialect == nullptr && words.dialect != "auto")
+        refuse_word("--dialect", words.dialect, dialect_words());
+    if (!words.control.empty() && find_control(words.control) == nullptr)
+        refuse_word("--control", words.control, control_names());
+    request.overrides.control = words.control;
+    if (!words.start.empty()) request.numbering.start = number<std::int64_t>("--start", words.start, 1, most);
+    if (!words.step.empty()) request.numbering.step = number<std::int64_t>("--step", words.step, 1, most);
+    return request;
 }
 
 void declare_completions(CLI::App& app, Words& words) {
@@ -254,17 +313,54 @@ Request help_request(const Words& words) {
 
 Request version_request(const Words&) { return PrintRequest{std::string(version_text)}; }
 
+constexpr std::array<HelpExample, 5> check_examples{
+    {{"maclint", "Check all programs in this folder and below."},
+     {"maclint O9100.nc --control fanuc-30i", "One program, for one control."},
+     {"maclint --diff programs", "Show what 'maclint --fix programs' would correct."},
+     {"maclint --write-baseline known.json .",
+      "Note what is found now; with --baseline known.json only what is new counts."},
+     {"maclint --output sarif:maclint.sarif --fail-on never .", "Also write a report for a service."}}};
+constexpr std::array<HelpExample, 2> rules_examples{
+    {{"maclint rules", "The list for reading."},
+     {"maclint rules --format json", "The same for programs, with what each rule is good for."}}};
+constexpr std::array<HelpExample, 4> explain_examples{
+    {{"maclint explain MAC303",
+      "A rule by its code; 'maclint explain jump' lists those that have to do with jumps."},
+     {"maclint explain G83 --control fanuc-16i", "A code and its words on one control."},
+     {"maclint explain '#4109'", "A variable, in quotes, which most shells want."},
+     {"maclint explain PS0128", "An alarm by its number."}}};
+constexpr std::array<HelpExample, 1> controls_examples{
+    {{"maclint controls fanuc-30i", "Its codes, limits, variables and options."}}};
+constexpr std::array<HelpExample, 2> init_examples{
+    {{"maclint init --print", "What would be written for this folder, and why."},
+     {"maclint init programs", "Write programs/.maclint.json. One that is there is never changed."}}};
+constexpr std::array<HelpExample, 2> renumber_examples{
+    {{"maclint renumber --diff O9100.nc", "What would change: numbers of blocks, jumps, P and Q of cycles."},
+     {"maclint renumber O9100.nc --start 100 --step 5", "N100, N105, N110 and so on."}}};
+constexpr std::array<HelpExample, 1> completions_examples{
+    {{"maclint completions bash > ~/.local/share/bash-completion/completions/maclint",
+      "Where bash looks for them."}}};
+
 std::span<const Command> commands() {
-    static constexpr std::array<Command, 8> all{
-        {{"check", "[PATH...]", "Lint files and folders", "", declare_check_command, check_command},
-         {"rules", "", "List the rules", "The list of rules.", declare_rules, rules_request},
+    static constexpr std::array<Command, 10> all{
+        {{"check", "[PATH...]", "Lint files and folders", "", declare_check_command, check_command,
+          check_examples},
+         {"rules", "", "List the rules", "The list of rules.", declare_rules, rules_request, rules_examples},
          {"explain", "RULE", "Show the page of a rule, a code, a variable or an alarm",
-          "The page of a rule, a code, a variable or an alarm.", declare_explain, explain_request},
+          "The page of a rule, a code, a variable or an alarm.", declare_explain, explain_request,
+          explain_examples},
          {"controls", "[NAME]", "List the controls, and what is known of each",
-          "The controls, and what is known of each.", declare_controls, controls_request},
+          "The controls, and what is known of each.", declare_controls, controls_request, controls_examples},
+         {"init", "[FOLDER]", "Write a configuration for a folder, with comments that say why",
+          "Looks at the programs of a folder and writes a .maclint.json with what they are taken for.",
+          declare_init, init_request, init_examples},
+         {"renumber", "FILE...", "Number the blocks of programs anew, with all that names them",
+          "Numbers the blocks that have a number, with jumps, returns and cycles that name them; comments "
+          "and all else stay. A program in which that is not safe is left as it is.",
+          declare_renumber, renumber_request, renumber_examples},
          {"completions", "SHELL", "Print what bash, zsh or fish need to complete maclint's words",
           "A script on standard output that lets a shell complete maclint's words.", declare_completions,
-          completions_request},
+          completions_request, completions_examples},
          {"man", "", "Print the manual page", "The manual page on standard output, as 'man' reads it.",
           declare_nothing, man_request},
          {"help", "[COMMAND]", "Show the options of a command", "The options of a command.", declare_help,
@@ -276,7 +372,8 @@ std::span<const Command> commands() {
 
 /// Options of all commands that take one of a few words; the others take any.
 std::vector<std::string> known_words(std::string_view command, std::string_view option) {
-    if (option == "--format" && command == "controls") return words_of(plain_list_formats);
+    if (option == "--format" && (command == "controls" || command == "explain"))
+        return words_of(plain_list_formats);
     if (option == "--format") return command == "rules" ? words_of(list_formats) : words_of(formats);
     if (option == "--dialect") return dialect_words();
     if (option == "--control" || option == "NAME") return control_names();
@@ -297,8 +394,8 @@ std::vector<CommandText> command_list() {
     for (const Command& command : commands()) {
         CLI::App app("", std::string(command.name));
         Words words;
-        declare_common(app);
         command.declare(app, words);
+        declare_common(app);
         list.push_back(describe(app, std::string(command.text),
                                 [&](std::string_view option) { return known_words(command.name, option); }));
     }

@@ -4,6 +4,7 @@
 #include "cli/config/settings.hpp"
 #include "cli/fix/choose.hpp"
 #include "cli/input/discover.hpp"
+#include "cli/renumber/numbering.hpp"
 #include "cli/report/report.hpp"
 
 #include <cstddef>
@@ -34,11 +35,14 @@ enum class FixUse : std::uint8_t {
     shown,    ///< as a difference, in place of findings
 };
 
+enum class ListFormat : std::uint8_t { text, json, markdown };
+
 struct CheckRequest {
     std::vector<std::string> paths;
     std::vector<Sink> sinks;
     Overrides overrides;
     ShowConfig show_config = ShowConfig::no;
+    ListFormat config_format = ListFormat::text; ///< of --show-config
     ShowFiles show_files = ShowFiles::no;
     std::string stdin_name;
     unsigned jobs = 1;
@@ -52,15 +56,17 @@ struct CheckRequest {
     bool statistics = false;    ///< count findings by rule and by file
     std::string write_baseline; ///< file for what is found; empty: none
     bool prune_baseline = false;
-    std::string since; ///< git revision; empty: all findings count
+    bool fail_on_gone = false; ///< a baseline with entries that are gone counts as findings do
+    std::string since;         ///< git revision; empty: all findings count
     DiscoverOptions discovery;
     bool error_on_empty = false; ///< a run that checks no program is an error
     ExemptionChoice exemptions;
     FixUse fix_use = FixUse::reported;
+    std::string
+        allowing_reason; ///< of --add-suppressions, whose comments take the place of fixes; empty: none
     FixesWanted fixes_wanted = FixesWanted::safe;
 };
 
-enum class ListFormat : std::uint8_t { text, json, markdown };
 struct RulesRequest {
     ListFormat format = ListFormat::text;
     std::string docs_folder;  ///< write pages there instead; empty: no
@@ -73,12 +79,25 @@ struct ExplainRequest {
     ColourChoice colour = ColourChoice::automatic;
     const Dialect* dialect = nullptr;      ///< of a code; nullptr: of any language
     const ControlModel* control = nullptr; ///< of a code, a variable, an alarm; nullptr: of any
+    ListFormat format = ListFormat::text;
 };
 
 struct ControlsRequest {
     ListFormat format = ListFormat::text;
     const ControlModel* control = nullptr; ///< all that is known of it; nullptr: a line for each
     ColourChoice colour = ColourChoice::automatic;
+};
+
+struct InitRequest {
+    std::string folder = ".";
+    bool print = false; ///< show what would be written, and write nothing
+};
+
+struct RenumberRequest {
+    std::vector<std::string> paths; ///< one at least
+    Overrides overrides;
+    Numbering numbering;
+    bool diff = false; ///< show what would change, and change nothing
 };
 
 /// Text to be printed instead of doing anything: help, version.
@@ -90,8 +109,8 @@ struct UsageError {
     std::string message; ///< "what. Cure."
 };
 
-using Request =
-    std::variant<CheckRequest, RulesRequest, ExplainRequest, ControlsRequest, PrintRequest, UsageError>;
+using Request = std::variant<CheckRequest, RulesRequest, ExplainRequest, ControlsRequest, InitRequest,
+                             RenumberRequest, PrintRequest, UsageError>;
 
 /// `arguments` without the program's name.
 [[nodiscard]] Request read_command_line(std::vector<std::string> arguments);

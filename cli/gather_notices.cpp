@@ -1,8 +1,6 @@
 //! Counted first, then the first of each kind speaks for all.
 #include "cli/gather_notices.hpp"
 
-#include "cli/suggest.hpp"
-
 #include <cstddef>
 #include <map>
 #include <string>

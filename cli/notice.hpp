@@ -14,6 +14,7 @@ enum class NoticeKind : std::uint8_t {
     nothing_checked, ///< there was no program, and --error-on-empty wants one
     baseline,        ///< how the findings differ from those known, or what became of the file
     vendor,          ///< what is found in a maker's programs was left out
+    idle_setting,    ///< something in a configuration, or a file that was meant for one, has no effect
     origin,          ///< a configuration that holds is of another user, or from above the repository
 };
 

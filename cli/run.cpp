@@ -19,6 +19,8 @@ int do_request(const Request& request) {
                                  [](const RulesRequest& rules) { return run_rules_command(rules); },
                                  [](const ExplainRequest& explain) { return run_explain(explain); },
                                  [](const ControlsRequest& controls) { return run_controls(controls); },
+                                 [](const InitRequest& init) { return run_init(init); },
+                                 [](const RenumberRequest& renumber) { return run_renumber(renumber); },
                                  [](const PrintRequest& print) { return print_text(print.text); },
                                  [](const UsageError& error) {
                                      print_error(error.message);

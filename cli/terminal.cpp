@@ -3,7 +3,7 @@
 
 #include "analyzer/source/encoding.hpp"
 #include "analyzer/source/platform/console.hpp"
-#include "cli/suggest.hpp"
+#include "cli/text/shown.hpp"
 #include "cli/written_file.hpp"
 
 #include <algorithm>

@@ -85,9 +85,10 @@ std::string with_letter(const ProgramAnalysis& analysis, Variable variable) {
     return name + " (" + letter + ")";
 }
 
-std::string quoted(const Program& program, Span span) {
+std::string quoted(const Program& program, Span span) { return quoted(program.slice(span)); }
+
+std::string quoted(std::string_view bytes) {
     // A block can be as long as a file: what is not shown is not looked at.
-    std::string_view bytes = program.slice(span);
     if (bytes.size() > most_looked_at)
         bytes = bytes.substr(0, character_begin(bytes, most_looked_at, Encoding::utf8));
     const std::string text = to_utf8(bytes, detect_encoding(bytes));

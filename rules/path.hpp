@@ -7,6 +7,7 @@
 
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace maclint {
@@ -36,6 +37,7 @@ namespace maclint {
 
 /// Source text for a message: UTF-8, white space folded, 40 characters at most.
 [[nodiscard]] std::string quoted(const Program& program, Span span);
+[[nodiscard]] std::string quoted(std::string_view bytes);
 
 /// A number as a word of a message: "0.5", "12".
 [[nodiscard]] std::string number_word(double number);

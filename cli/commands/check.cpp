@@ -3,7 +3,9 @@
 #include "cli/commands/report_target.hpp"
 #include "cli/commands/show_config.hpp"
 #include "cli/commands/show_files.hpp"
+#include "cli/config/idle_globs.hpp"
 #include "cli/engine/engine.hpp"
+#include "cli/fix/add_suppressions.hpp"
 #include "cli/fix/fix_programs.hpp"
 #include "cli/fix/unified_difference.hpp"
 #include "cli/fix/write_fixed.hpp"
@@ -13,8 +15,9 @@
 #include "cli/report/report.hpp"
 #include "cli/report/statistics.hpp"
 #include "cli/report/timing.hpp"
-#include "cli/suggest.hpp"
 #include "cli/terminal.hpp"
+#include "cli/text/guess.hpp"
+#include "cli/text/shown.hpp"
 #include "rules/listed.hpp"
 
 #include <algorithm>
@@ -104,6 +107,8 @@ Report report_of(const CheckRequest& request, Result result, std::vector<Notice>
     Report report;
     report.findings = std::move(result.findings);
     report.notices = std::move(notices);
+    for (std::size_t i = 0; i < result.sources.size(); ++i)
+        report.read_as.emplace(result.sources[i].get(), std::move(result.read_as[i]));
     report.files = std::move(result.sources);
     report.fail_on = request.fail_on;
     report.statistics = request.statistics;
@@ -157,13 +162,28 @@ struct Checked {
     Result result;
     std::vector<Notice> notices;
     std::vector<FixedFile> fixed; ///< written, or to be shown
+    std::size_t allowed = 0;      ///< findings that new comments allow
 };
 
-std::string fixed_words(const std::vector<FixedFile>& files, FixUse use) {
+std::string changed_words(const CheckRequest& request, const Checked& checked) {
+    const bool would = request.fix_use == FixUse::shown;
+    if (!request.allowing_reason.empty())
+        return std::string(would ? "Would allow " : "Allowed ") + counted(checked.allowed, "finding") +
+               " in " + counted(checked.fixed.size(), "file") + ".\n";
     std::size_t findings = 0;
-    for (const FixedFile& file : files) findings += file.findings;
-    return std::string(use == FixUse::shown ? "Would fix " : "Fixed ") + counted(findings, "finding") +
-           " in " + counted(files.size(), "file") + ".\n";
+    for (const FixedFile& file : checked.fixed) findings += file.findings;
+    return std::string(would ? "Would fix " : "Fixed ") + counted(findings, "finding") + " in " +
+           counted(checked.fixed.size(), "file") + ".\n";
+}
+
+/// Fixes, or comments in their place.
+FixedPrograms changed_programs(const CheckRequest& request, const Snapshot& snapshot, const Analyse& analyse,
+                               Checked& checked) {
+    if (request.allowing_reason.empty()) return fix_programs(snapshot, request.fixes_wanted, analyse);
+    const Severity least = request.fail_on.value_or(Severity::note);
+    AddedSuppressions added = add_suppressions(snapshot, request.allowing_reason, least, analyse);
+    checked.allowed = added.allowed;
+    return std::move(added.programs);
 }
 
 Checked check_programs(const CheckRequest& request, const Snapshot& snapshot, Gate& gate,
@@ -179,7 +199,7 @@ Checked check_programs(const CheckRequest& request, const Snapshot& snapshot, Ga
         checked.result = analyse(snapshot);
         return checked;
     }
-    FixedPrograms fixed = fix_programs(snapshot, request.fixes_wanted, analyse);
+    FixedPrograms fixed = changed_programs(request, snapshot, analyse, checked);
     checked.result = std::move(fixed.result);
     checked.fixed = std::move(fixed.files);
     if (request.fix_use == FixUse::written)
@@ -213,13 +233,16 @@ int run_check(const CheckRequest& request) {
         return exit_error;
     }
     std::ranges::move(settings.take_notices(), std::back_inserter(notices));
+    std::ranges::move(idle_globs(settings.configurations(), request.paths, inputs.files),
+                      std::back_inserter(notices));
     RunTiming timing{.finding = std::chrono::steady_clock::now() - begun};
     ShownConfig config;
     Result result;
-    std::vector<FixedFile> fixed;
+    Checked checked;
     bool has_baseline = false;
+    bool has_stale_entries = false;
     if (request.show_config == ShowConfig::yes) {
-        config = show_config(snapshot);
+        config = show_config(snapshot, request.config_format);
     } else if (request.show_files == ShowFiles::yes) {
         ShownFiles files = show_files(snapshot, inputs);
         std::ranges::move(files.notices, std::back_inserter(notices));
@@ -233,11 +256,11 @@ int run_check(const CheckRequest& request) {
             return exit_error;
         }
         auto& gate = std::get<Gate>(opened);
-        Checked checked = check_programs(request, snapshot, gate, *progress);
+        checked = check_programs(request, snapshot, gate, *progress);
         result = std::move(checked.result);
-        fixed = std::move(checked.fixed);
         std::ranges::move(checked.notices, std::back_inserter(notices));
         has_baseline = gate.has_baseline();
+        has_stale_entries = gate.has_stale_entries();
     }
     for (auto* more : {&config.notices, &result.notices})
         std::ranges::move(*more, std::back_inserter(notices));
@@ -248,14 +271,15 @@ int run_check(const CheckRequest& request) {
     progress.reset();
     for (const Notice& notice : notices)
         if (notice.is_error() || !request.quiet) print_notice(notice);
-    if (request.fix_use != FixUse::reported && !request.quiet)
-        print_aside(fixed_words(fixed, request.fix_use));
+    if (request.fix_use != FixUse::reported && !request.quiet) print_aside(changed_words(request, checked));
     if (request.fix_use == FixUse::shown) {
-        const int status = std::max(print_text(unified_difference(fixed)), exit_status_of(notices));
-        return fixed.empty() ? status : std::max(status, exit_findings);
+        const int status = std::max(print_text(unified_difference(checked.fixed)), exit_status_of(notices));
+        return checked.fixed.empty() ? status : std::max(status, exit_findings);
     }
     const Timing engine_timing = result.timing;
     Report report = report_of(request, std::move(result), std::move(notices));
+    if (request.fail_on_gone && has_stale_entries)
+        report.exit_status = std::max(report.exit_status, exit_findings);
     report.passed_over = inputs.passed_over;
     if (request.show_config == ShowConfig::yes) return std::max(print_text(config.text), report.exit_status);
     report.has_baseline = has_baseline;

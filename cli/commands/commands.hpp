@@ -9,5 +9,7 @@ namespace maclint::cli {
 [[nodiscard]] int run_rules_command(const RulesRequest& request);
 [[nodiscard]] int run_explain(const ExplainRequest& request);
 [[nodiscard]] int run_controls(const ControlsRequest& request);
+[[nodiscard]] int run_init(const InitRequest& request);
+[[nodiscard]] int run_renumber(const RenumberRequest& request);
 
 } // namespace maclint::cli

@@ -7,7 +7,8 @@ namespace maclint::cli {
 
 int run_controls(const ControlsRequest& request) {
     const bool as_json = request.format == ListFormat::json;
-    if (request.control == nullptr) return print_text(as_json ? json_controls() : plain_controls());
+    if (request.control == nullptr)
+        return print_text(as_json ? json_controls() : plain_controls(output_width()));
     const PageStyle style{colour_for_output(request.colour), output_width()};
     return print_text(as_json ? json_control(*request.control) : plain_control_page(*request.control, style));
 }

@@ -12,7 +12,8 @@
 #include "cli/input/own_report.hpp"
 #include "cli/input/program_name.hpp"
 #include "cli/input/size_limits.hpp"
-#include "cli/suggest.hpp"
+#include "cli/text/letters.hpp"
+#include "cli/text/shown.hpp"
 
 #include <algorithm>
 #include <filesystem>

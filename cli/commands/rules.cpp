@@ -4,17 +4,16 @@
 #include "analyzer/source/source.hpp"
 #include "cli/commands/commands.hpp"
 #include "cli/config/selection.hpp"
+#include "cli/options/help.hpp"
 #include "cli/report/alarm_page.hpp"
 #include "cli/report/code_page.hpp"
 #include "cli/report/row_page.hpp"
+#include "cli/report/rule_json.hpp"
 #include "cli/report/rule_page.hpp"
-#include "cli/suggest.hpp"
 #include "cli/terminal.hpp"
 
 #include <algorithm>
 #include <filesystem>
-
-#include <nlohmann/json.hpp>
 
 namespace maclint::cli {
 namespace {
@@ -22,55 +21,12 @@ namespace {
 namespace fs = std::filesystem;
 
 std::string text_list() {
-    return plain_list(all_rules(), ListedRows::shown) + "\nOff: only with --select. A row is named with its "
-                                                        "rule, as MAC523/G83.Q. 'maclint explain RULE' tells "
-                                                        "more.\n";
-}
-
-using Json = nlohmann::ordered_json;
-
-Json rows_as_json(const Rule& rule) {
-    Json rows = Json::array();
-    for (const RuleRow& row : rows_of(rule)) {
-        Json entries = Json::array();
-        for (const RowForCode& entry : row.rows)
-            entries.push_back({{"says", sentence_of(entry)},
-                               {"where", where_of(entry)},
-                               {"severity", name_of(entry.row->severity)},
-                               {"aliases", entry.row->aliases},
-                               {"source", entry.row->source}});
-        rows.push_back(
-            {{"key", row.key}, {"on_by_default", row.on_by_default()}, {"entries", std::move(entries)}});
-    }
-    return rows;
-}
-
-Json exemptions_as_json(const Rule& rule) {
-    Json exemptions = Json::array();
-    for (const RuleExemption& record : rule.exemptions)
-        exemptions.push_back({{"name", record.name},
-                              {"why", record.why},
-                              {"dialect", record.wanted_by.dialect},
-                              {"complete", record.wanted_by.complete},
-                              {"program", record.wanted_by.text}});
-    return exemptions;
-}
-
-std::string json_list() {
-    Json list = Json::array();
-    for (const Rule* rule : all_rules())
-        list.push_back({{"code", rule->code},
-                        {"name", rule->name},
-                        {"aliases", rule->aliases},
-                        {"family", family_of(*rule)},
-                        {"summary", rule->summary},
-                        {"why", rule->why},
-                        {"severity", name_of(rule->severity)},
-                        {"precision", name_of(rule->precision)},
-                        {"on_by_default", rule->on_by_default},
-                        {"exemptions", exemptions_as_json(*rule)},
-                        {"rows", rows_as_json(*rule)}});
-    return list.dump(2) + "\n";
+    const std::size_t width = output_width();
+    return plain_list(all_rules(), ListedRows::shown, width) + "\n" +
+           paragraph(
+               "Off: only with --select. A row is named with its rule, as MAC523/G83.Q. 'maclint explain "
+               "RULE' tells more.",
+               width);
 }
 
 /// "MAC303.md", and not "MACHINES.md".
@@ -177,7 +133,7 @@ int run_rules_command(const RulesRequest& request) {
     if (writes) return status;
     switch (request.format) {
     case ListFormat::text: return print_text(text_list());
-    case ListFormat::json: return print_text(json_list());
+    case ListFormat::json: return print_text(json_rules());
     case ListFormat::markdown: return print_text(markdown_index());
     }
     return exit_error;

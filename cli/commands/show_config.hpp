@@ -1,6 +1,7 @@
 //! `maclint check --show-config`: what holds for each file, and why.
 #pragma once
 
+#include "cli/command_line.hpp"
 #include "cli/engine/snapshot.hpp"
 
 #include <string>
@@ -13,6 +14,6 @@ struct ShownConfig {
 };
 
 /// Of the files that were asked for.
-[[nodiscard]] ShownConfig show_config(const Snapshot& snapshot);
+[[nodiscard]] ShownConfig show_config(const Snapshot& snapshot, ListFormat format);
 
 } // namespace maclint::cli

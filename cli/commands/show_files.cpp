@@ -2,7 +2,7 @@
 #include "cli/commands/show_files.hpp"
 
 #include "cli/engine/read.hpp"
-#include "cli/suggest.hpp"
+#include "cli/text/shown.hpp"
 
 #include <algorithm>
 #include <memory>

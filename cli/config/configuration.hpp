@@ -13,6 +13,7 @@
 #include "rules/finding.hpp"
 
 #include <functional>
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -37,11 +38,13 @@ struct FileEntry {
     Glob glob;
     std::string control; ///< empty: not said
     std::string dialect; ///< empty: not said
+    std::size_t source;  ///< which of Configuration::sources it stands in
 };
 
 struct PerFileIgnore {
     Glob glob;
     std::vector<RuleWord> rules;
+    std::size_t source; ///< which of Configuration::sources it stands in
 };
 
 struct SeverityEntry {
@@ -53,6 +56,7 @@ struct SeverityEntry {
 struct VendorEntry {
     Glob glob;
     bool is_vendor;
+    std::size_t source; ///< which of Configuration::sources it stands in
 };
 
 /// One configuration with what it extends.
@@ -64,6 +68,7 @@ struct Configuration {
     std::vector<FileEntry> files;
     GlobSet files_by_glob; ///< in the order of `files`
     GlobSet include, exclude;
+    std::vector<Glob> included; ///< what `include` is made of
     std::optional<std::vector<RuleWord>> select;
     std::vector<RuleWord> ignore;
     std::vector<SeverityEntry> severity;
@@ -75,6 +80,12 @@ struct Configuration {
     std::optional<Encoding> encoding;
     bool complete = false;
     std::string baseline; ///< path as it is shown, from the working folder; empty: none
+    std::map<std::string, std::size_t, std::less<>> source_of_key; ///< of what is not merged, by its key
+
+    /// ".maclint.json: severity": which of the sources says it, and how, for people.
+    [[nodiscard]] std::string said_in(std::size_t source, std::string_view how) const;
+    /// Of a key that is not merged and that one of the sources has.
+    [[nodiscard]] std::string said_in(std::string_view key) const;
 
     /// Of this configuration or of those built in, or nullptr.
     [[nodiscard]] const ControlModel* control(std::string_view name) const;
@@ -87,6 +98,9 @@ struct Configuration {
 /// Reads a configuration file and what it extends, all of which name only files within reach.
 [[nodiscard]] std::variant<std::shared_ptr<const Configuration>, Notice>
 load_configuration(const std::string& path, const Reach& reach);
+
+/// Whether a text is JSON with a key of a configuration, by whatever name it is stored.
+[[nodiscard]] bool looks_like_configuration(std::string_view text);
 
 /// Whether a control runs what is written in the dialect.
 [[nodiscard]] bool is_for(const ControlModel& control, const Dialect& dialect);

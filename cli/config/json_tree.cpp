@@ -1,6 +1,8 @@
 //! nlohmann's SAX parser fed through an iterator that counts: after a token it stands after the token's end.
 #include "cli/config/json_tree.hpp"
 
+#include "cli/config/json_mistakes.hpp"
+
 #include <algorithm>
 #include <cstddef>
 #include <iterator>
@@ -80,19 +82,13 @@ class TreeBuilder : public nlohmann::json_sax<nlohmann::json> {
 
     bool parse_error(std::size_t /*position*/, const std::string& /*token*/,
                      const nlohmann::json::exception& error) override {
-        const std::string_view what = error.what();
-        const auto reason =
-            what.find("; "); // "…: syntax error while parsing value - invalid literal; last read: …"
-        const auto colon = what.rfind(" - ", reason);
-        const bool known = colon != std::string_view::npos && reason != std::string_view::npos;
-        return fail(count_ > 0 ? count_ - 1 : 0,
-                    "this is no JSON: " +
-                        std::string(known ? what.substr(colon + 3, reason - colon - 3) : "syntax error"));
+        error_ = mistake_at(text_, count_ > 0 ? count_ - 1 : 0, error.what());
+        return false;
     }
 
     [[nodiscard]] std::variant<JsonNode, JsonError> take() {
         if (error_) return *std::move(error_);
-        if (!root_) return JsonError{0, "this is no JSON: it is empty"};
+        if (!root_) return JsonError{0, "this is no JSON: it is empty", "Write { } into it"};
         return *std::move(root_);
     }
 
@@ -186,7 +182,8 @@ class TreeBuilder : public nlohmann::json_sax<nlohmann::json> {
 
 } // namespace
 
-std::variant<JsonNode, JsonError> parse_json(std::string_view text) {
+std::variant<JsonNode, JsonError> parse_json(std::string_view written) {
+    const std::string text = without_trailing_commas(written);
     Offset count = 0;
     TreeBuilder builder(text, count);
     nlohmann::json::sax_parse(CountingIterator(text.data(), count),

@@ -31,10 +31,11 @@ struct JsonMember {
 
 struct JsonError {
     Offset at;
-    std::string message; ///< what is wrong, without a full stop
+    std::string message;             ///< what is wrong, without a full stop
+    std::string cure = "Correct it"; ///< what to do, likewise
 };
 
-/// Parses the text; `//` and `/* */` comments are allowed.
+/// Parses the text; `//` and `/* */` comments are allowed, and a comma before a closing bracket.
 [[nodiscard]] std::variant<JsonNode, JsonError> parse_json(std::string_view text);
 
 } // namespace maclint::cli

@@ -4,10 +4,12 @@
 #include "analyzer/source/platform/paths.hpp"
 #include "cli/config/configuration.hpp"
 #include "cli/config/json_tree.hpp"
+#include "cli/config/misplaced_words.hpp"
 #include "cli/config/selection.hpp"
 #include "cli/config/shop_demands.hpp"
 #include "cli/input/size_limits.hpp"
-#include "cli/suggest.hpp"
+#include "cli/text/guess.hpp"
+#include "cli/text/shown.hpp"
 #include "rules/listed.hpp"
 
 #include <algorithm>
@@ -46,6 +48,10 @@ class Loader {
         return configuration_;
     }
 
+    [[nodiscard]] static bool knows_key(std::string_view key) {
+        return std::ranges::find(keys(), key, &Key::name) != keys().end();
+    }
+
   private:
     using Reader = void (Loader::*)(const JsonNode&);
     struct Key {
@@ -82,18 +88,19 @@ class Loader {
 
     void read(const std::string& path) {
         folder_ = folder_of(path);
-        const auto source = open(path);
-        configuration_->sources.push_back(source);
-        const auto parsed = parse_json(source.bytes());
+        const auto opened = open(path);
+        configuration_->sources.push_back(opened);
+        const auto parsed = parse_json(opened.bytes());
         if (const auto* error = std::get_if<JsonError>(&parsed))
-            reject({error->at, error->at}, error->message + ". Correct it");
+            reject({error->at, error->at}, error->message + ". " + error->cure);
         const auto& root = std::get<JsonNode>(parsed);
         const auto& members = object(root, "the configuration");
         for (const JsonMember& member : members) {
             const auto* const key = std::ranges::find(keys(), member.key, &Key::name);
-            if (key == keys().end()) reject_key(member, names(keys()));
+            if (key == keys().end()) reject_top_key(member);
             // The nearer file was read before the one that it extends: what is there stays.
             if (std::ranges::find(seen_, member.key) != seen_.end() && !is_merged(member.key)) continue;
+            configuration_->source_of_key.try_emplace(member.key, source());
             (this->*key->reader)(member.node);
         }
         for (const JsonMember& member : members) seen_.push_back(member.key);
@@ -343,12 +350,12 @@ class Loader {
     void read_files(const JsonNode& node) {
         static constexpr std::array<std::string_view, 3> known = {"glob", "control", "dialect"};
         for (const JsonNode& entry : array(node, "'files'")) {
-            FileEntry file;
+            FileEntry file{.glob = {}, .control = {}, .dialect = {}, .source = source()};
             Span control_span{};
             for (const JsonMember& member : object(entry, "an entry of 'files'")) {
                 const std::string& value = text(member.node, "'" + member.key + "'");
                 if (member.key == "glob") {
-                    file.glob = glob(value);
+                    file.glob = glob(value, member.node.span);
                 } else if (member.key == "control") {
                     file.control = value;
                     control_span = member.node.span;
@@ -373,8 +380,11 @@ class Loader {
         files_source_ = configuration_->sources.size() - 1;
     }
 
-    void read_include(const JsonNode& node) { configuration_->include = globs(node, "'include'"); }
-    void read_exclude(const JsonNode& node) { configuration_->exclude = globs(node, "'exclude'"); }
+    void read_include(const JsonNode& node) {
+        configuration_->included = globs(node, "'include'");
+        configuration_->include = GlobSet(configuration_->included);
+    }
+    void read_exclude(const JsonNode& node) { configuration_->exclude = GlobSet(globs(node, "'exclude'")); }
     void read_select(const JsonNode& node) {
         configuration_->select = rule_words(node, "'select'");
         if (configuration_->select->empty())
@@ -389,7 +399,8 @@ class Loader {
             const std::string& word = text(member.node, "a severity");
             const auto severity = severity_named(word);
             if (!severity)
-                reject(member.node.span, "there is no severity '" + word + "'. Write error, warning or note");
+                reject(member.node.span, "there is no severity '" + word + "'. Write error, warning or note" +
+                                             advice_for_severity(member.key, word));
             require_rules(member.key, member.key_span);
             configuration_->severity.push_back({{member.key, source()}, *severity});
         }
@@ -399,8 +410,9 @@ class Loader {
         for (const JsonMember& member : object(node, "'per-file-ignores'")) {
             require_words(member.key, member.key_span, "a glob of 'per-file-ignores'");
             if (globs_with_ignores_.insert(member.key).second)
-                configuration_->per_file_ignores.push_back(
-                    {glob(member.key), rule_words(member.node, "'per-file-ignores'")});
+                configuration_->per_file_ignores.push_back({glob(member.key, member.key_span),
+                                                            rule_words(member.node, "'per-file-ignores'"),
+                                                            source()});
         }
     }
 
@@ -426,7 +438,8 @@ class Loader {
             const bool is_vendor = !pattern.starts_with('!');
             if (pattern == "!")
                 reject(element.span, "an entry of 'vendor' is '!' alone. Write a glob behind it");
-            configuration_->vendor.push_back({glob(is_vendor ? pattern : pattern.substr(1)), is_vendor});
+            configuration_->vendor.push_back(
+                {glob(is_vendor ? pattern : pattern.substr(1), element.span), is_vendor, source()});
         }
     }
 
@@ -477,11 +490,11 @@ class Loader {
             reject(span, what + " holds a NUL, which no name has. Take it out");
     }
 
-    GlobSet globs(const JsonNode& node, const std::string& what) {
+    std::vector<Glob> globs(const JsonNode& node, const std::string& what) {
         std::vector<Glob> values;
         for (const JsonNode& element : array(node, what))
-            values.push_back(glob(text(element, "an entry of " + what)));
-        return GlobSet(values);
+            values.push_back(glob(text(element, "an entry of " + what), element.span));
+        return values;
     }
 
     template<class Entry>
@@ -492,7 +505,15 @@ class Loader {
     }
 
     /// Relative to the folder of the file that is being read, not of the one that extends it.
-    [[nodiscard]] Glob glob(const std::string& pattern) const { return {pattern, folder_}; }
+    [[nodiscard]] Glob glob(const std::string& pattern, Span span) const {
+        if (pattern.find('\\') != std::string::npos) {
+            std::string other = pattern;
+            std::ranges::replace(other, '\\', '/');
+            reject(span, "the glob '" + pattern +
+                             "' has a backslash, which separates nothing in one. Write \"" + other + "\"");
+        }
+        return {pattern, folder_};
+    }
 
     std::vector<RuleWord> rule_words(const JsonNode& node, const std::string& what) {
         std::vector<RuleWord> words;
@@ -538,6 +559,13 @@ class Loader {
         const bool ends = message.ends_with('?') || message.ends_with('.');
         throw Rejected{
             {NoticeKind::configuration, source.path(), place + ": " + message + (ends ? "" : ".")}};
+    }
+
+    /// A rule has its place in one of the keys, and not beside them.
+    [[noreturn]] void reject_top_key(const JsonMember& member) const {
+        const std::string advice = advice_for_key(member.key);
+        if (advice.empty()) reject_key(member, names(keys()));
+        reject(member.key_span, "there is no key '" + member.key + "' here. " + advice);
     }
 
     [[noreturn]] void reject_key(const JsonMember& member, const std::vector<std::string>& known) const {
@@ -595,6 +623,23 @@ std::variant<std::shared_ptr<const Configuration>, Notice> load_configuration(co
     } catch (const Rejected& rejected) {
         return rejected.notice;
     }
+}
+
+bool looks_like_configuration(std::string_view text) {
+    const auto parsed = parse_json(text);
+    const auto* root = std::get_if<JsonNode>(&parsed);
+    const auto* members = root == nullptr ? nullptr : std::get_if<JsonNode::Object>(&root->value);
+    return members != nullptr && std::ranges::any_of(*members, [](const JsonMember& member) {
+               return member.key != "$schema" && Loader::knows_key(member.key);
+           });
+}
+
+std::string Configuration::said_in(std::size_t source, std::string_view how) const {
+    return shown(sources[source].path()) + ": " + std::string(how);
+}
+
+std::string Configuration::said_in(std::string_view key) const {
+    return said_in(source_of_key.find(key)->second, key);
 }
 
 const ControlModel* Configuration::control(std::string_view name) const {

@@ -3,7 +3,7 @@
 
 #include "analyzer/dialect/characters.hpp"
 #include "analyzer/program/own_codes.hpp"
-#include "cli/suggest.hpp"
+#include "cli/text/guess.hpp"
 
 #include <algorithm>
 #include <array>

@@ -1,7 +1,8 @@
 //! Codes, names and keys are compared in capitals.
 #include "cli/config/rule_words.hpp"
 
-#include "cli/suggest.hpp"
+#include "cli/text/guess.hpp"
+#include "cli/text/letters.hpp"
 #include "rules/words/word_list.hpp"
 
 #include <algorithm>
@@ -153,6 +154,19 @@ std::vector<NamedRule> rules_meant(std::string_view word) {
     return rules;
 }
 
+std::vector<NamedRule> rules_about(std::string_view words) {
+    constexpr std::size_t least_letters = 3;
+    std::vector<std::string> wanted;
+    for (const std::string_view word : maclint::words_of(words))
+        if (word.size() >= least_letters) wanted.push_back(in_lower_case(word));
+    if (wanted.empty()) return {};
+    return rules_where([&](const Rule& rule) {
+        const std::string summary = in_lower_case(rule.summary);
+        return std::ranges::all_of(
+            wanted, [&](const std::string& word) { return summary.find(word) != std::string::npos; });
+    });
+}
+
 std::string code_with_key(const Finding& finding) {
     return finding.row == nullptr ? std::string(finding.rule->code) : finding.row->name();
 }
@@ -184,20 +198,15 @@ std::vector<std::string> rules_like(std::string_view word) {
     std::vector<std::string> like;
     if (const auto row = row_word(word))
         like = like_row(*row);
-    else if (auto near = closest(word, rule_words()))
-        like.push_back(*std::move(near));
+    else
+        like = likely(word, rule_words());
     if (like.size() > most_proposals) like.resize(most_proposals);
     return like;
 }
 
 std::string advice_for(std::string_view word) {
     const std::vector<std::string> like = rules_like(word);
-    if (!like.empty()) {
-        std::string list;
-        for (std::size_t i = 0; i < like.size(); ++i)
-            list += (i == 0 ? "'" : i + 1 == like.size() ? " or '" : ", '") + like[i] + "'";
-        return " Did you mean " + list + "?";
-    }
+    if (!like.empty()) return meant(like);
     const auto row = row_word(word);
     const Rule* rule = row ? find_rule(row->rule) : nullptr;
     if (rule != nullptr) return " See 'maclint explain " + std::string(rule->code) + "' for its rows.";

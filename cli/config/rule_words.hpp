@@ -26,6 +26,10 @@ struct NamedRule {
 /// That, or what somebody may mean by a part of a code, a name or a key: "220", "jump", "G83".
 [[nodiscard]] std::vector<NamedRule> rules_meant(std::string_view word);
 
+/// Rules whose summary holds all of the words, in any case: "dwell time". None for words of one or two
+/// letters.
+[[nodiscard]] std::vector<NamedRule> rules_about(std::string_view words);
+
 /// What names the finding's rule, and the row that found it: "MAC303", "MAC523/G83.Q".
 [[nodiscard]] std::string code_with_key(const Finding& finding);
 /// The same with the rule's name: "word-missing/G83.Q".

@@ -1,7 +1,7 @@
 //! The state of each rule and row.
 #include "cli/config/selection.hpp"
 
-#include "cli/suggest.hpp"
+#include "cli/text/letters.hpp"
 
 #include <algorithm>
 #include <array>

@@ -4,10 +4,12 @@
 
 #include "analyzer/source/platform/files.hpp"
 #include "analyzer/source/platform/paths.hpp"
+#include "analyzer/source/read.hpp"
 #include "cli/input/repository.hpp"
-#include "cli/suggest.hpp"
+#include "cli/text/shown.hpp"
 
 #include <algorithm>
+#include <array>
 #include <filesystem>
 #include <ranges>
 #include <unordered_map>
@@ -90,8 +92,10 @@ std::optional<std::shared_ptr<const Configuration>> Settings::load(const std::st
 void Settings::note_owner(const std::string& path) {
     const auto owners = platform::ownership_of(platform::path_of(path));
     if (owners && is_of_stranger(*owners))
-        note_once(path, "this configuration belongs to another user. Look at what it says, or leave it out "
-                        "with --isolated.");
+        note_once(path,
+                  "this configuration belongs to another user. Look at what it says, or leave it out "
+                  "with --isolated.",
+                  NoticeKind::origin);
 }
 
 /// Where the folder is a repository of its own. One within another, such as a submodule, is no stranger to
@@ -100,11 +104,30 @@ void Settings::note_above(const Configuration& configuration, const fs::path& fo
     if (!is_repository(folder) || repository_around(platform::path_of(configuration.folder))) return;
     note_once(configuration.path,
               "this configuration lies above the repository of the programs that it holds "
-              "for. Put one into the repository, or leave it out with --isolated.");
+              "for. Put one into the repository, or leave it out with --isolated.",
+              NoticeKind::origin);
 }
 
-void Settings::note_once(const std::string& path, const std::string& message) {
-    if (noted_.emplace(path, message).second) notices_.push_back({NoticeKind::origin, path, message});
+void Settings::note_once(const std::string& path, const std::string& message, NoticeKind kind) {
+    if (noted_.emplace(path, message).second) notices_.push_back({kind, path, message});
+}
+
+void Settings::note_other_names(const fs::path& folder, const std::string& shown) {
+    // Without its dot, or as an editor of Windows stores it.
+    static constexpr std::array<std::string_view, 4> names = {"maclint.json", ".maclint.jsonc",
+                                                              ".maclint.json.txt", "maclint.json.txt"};
+    for (const std::string_view name : names) {
+        const fs::path file = folder / name;
+        if (platform::kind_of(file) != platform::FileKind::regular || platform::link_target(file)) continue;
+        const auto read = read_regular_file(platform::text_of(file), configuration_limit);
+        const auto* source = std::get_if<Source>(&read);
+        if (source == nullptr || !looks_like_configuration(source->bytes())) continue;
+        const std::string path = platform::text_of(
+            platform::path_of(shown).replace_filename(platform::path_of(std::string(name))));
+        note_once(path,
+                  "is not read: a configuration is named " + std::string(configuration_name) + ". Rename it.",
+                  NoticeKind::idle_setting);
+    }
 }
 
 std::optional<Notice> Settings::refuse_link(const fs::path& folder, const std::string& shown) const {
@@ -139,7 +162,7 @@ std::optional<std::shared_ptr<const Configuration>> Settings::in_folder(const fs
     }
     switch (platform::kind_of(folder / configuration_name)) {
     case platform::FileKind::regular: return load(shown, Reach::of_folder(folder, own_));
-    case platform::FileKind::missing: break;
+    case platform::FileKind::missing: note_other_names(folder, shown); break;
     default:
         notices_.push_back(
             {NoticeKind::configuration, shown,
@@ -160,7 +183,7 @@ void Settings::say_of_file(const Configuration& configuration, const std::string
     for (const std::size_t i : std::views::reverse(entries)) {
         const FileEntry& entry = configuration.files[i];
         const auto reason = [&] {
-            return shown(configuration.path) + ": files '" + shown(entry.glob.pattern) + "'";
+            return configuration.said_in(entry.source, "files '" + shown(entry.glob.pattern) + "'");
         };
         if (!entry.dialect.empty() && settings.dialect_reason.empty()) {
             settings.dialect = find_dialect(entry.dialect);
@@ -240,8 +263,9 @@ std::shared_ptr<const RuleStates> Settings::rules_for(const Configuration* confi
         auto fewer = std::make_shared<RuleStates>(*rules);
         for (const std::size_t i : ignores) {
             const PerFileIgnore& entry = configuration->per_file_ignores[i];
-            fewer->switch_off(rules_of(entry.rules), shown(configuration->path) + ": per-file-ignores '" +
-                                                         shown(entry.glob.pattern) + "'");
+            fewer->switch_off(
+                rules_of(entry.rules),
+                configuration->said_in(entry.source, "per-file-ignores '" + shown(entry.glob.pattern) + "'"));
         }
         rules = std::move(fewer);
     }
@@ -253,14 +277,15 @@ std::shared_ptr<const RuleStates> Settings::whole_rules(const Configuration* con
     if (known) return known;
     auto rules = std::make_shared<RuleStates>();
     if (configuration != nullptr) {
-        const std::string name = shown(configuration->path);
         if (overrides_.select.empty()) {
             if (configuration->select)
-                rules->select_only(rules_of(*configuration->select), name + ": select");
-            rules->switch_off(rules_of(configuration->ignore), name + ": ignore");
+                rules->select_only(rules_of(*configuration->select), configuration->said_in("select"));
+            if (!configuration->ignore.empty())
+                rules->switch_off(rules_of(configuration->ignore), configuration->said_in("ignore"));
         }
         for (const auto& [words, severity] : farthest_and_widest_first(configuration->severity))
-            rules->set_severity(rules_named(words.word), severity, name + ": severity");
+            rules->set_severity(rules_named(words.word), severity,
+                                configuration->said_in(words.source, "severity"));
     }
     apply_overrides(*rules);
     return known = rules;

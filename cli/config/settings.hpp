@@ -99,7 +99,9 @@ class Settings {
     [[nodiscard]] static VendorCode vendor_code(const Configuration* configuration, const std::string& path);
     void note_owner(const std::string& path);
     void note_above(const Configuration& configuration, const std::filesystem::path& folder);
-    void note_once(const std::string& path, const std::string& message);
+    /// Where a file of the folder was meant for a configuration by another name.
+    void note_other_names(const std::filesystem::path& folder, const std::string& shown);
+    void note_once(const std::string& path, const std::string& message, NoticeKind kind);
     /// Without what single files go without.
     std::shared_ptr<const RuleStates> whole_rules(const Configuration* configuration);
     std::shared_ptr<const RuleStates> rules_for(const Configuration* configuration, const std::string& path);

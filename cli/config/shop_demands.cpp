@@ -19,15 +19,16 @@ using Place = DemandedBlock::Place;
 struct LimitKey {
     std::string_view name;
     Bounds& (*bounds)(ShopLimits&);
+    bool may_be_negative = false;
 };
 constexpr std::array<LimitKey, 7> limit_keys{{
     {"speed", [](ShopLimits& limits) -> Bounds& { return limits.speed; }},
     {"feed-per-minute", [](ShopLimits& limits) -> Bounds& { return limits.feed_per_minute; }},
     {"feed-per-revolution", [](ShopLimits& limits) -> Bounds& { return limits.feed_per_revolution; }},
     {"tool", [](ShopLimits& limits) -> Bounds& { return limits.tool; }},
-    {"X", [](ShopLimits& limits) -> Bounds& { return limits.travel[0]; }},
-    {"Y", [](ShopLimits& limits) -> Bounds& { return limits.travel[1]; }},
-    {"Z", [](ShopLimits& limits) -> Bounds& { return limits.travel[2]; }},
+    {"X", [](ShopLimits& limits) -> Bounds& { return limits.travel[0]; }, true},
+    {"Y", [](ShopLimits& limits) -> Bounds& { return limits.travel[1]; }, true},
+    {"Z", [](ShopLimits& limits) -> Bounds& { return limits.travel[2]; }, true},
 }};
 
 struct DemandKey {
@@ -98,6 +99,10 @@ std::optional<WrongValue> read_shop_limit(const JsonMember& member, ShopLimits& 
         return WrongValue{member.node.span, "'" + member.key +
                                                 "' must be the greatest number, or the least and the "
                                                 "greatest, as [50, 8000]. Correct it"};
+    const double least = std::min(are_numbers ? bounds.least : bounds.greatest, bounds.greatest);
+    if (least < 0 && !key->may_be_negative)
+        return WrongValue{member.node.span, "'" + member.key + "' is " + number_word(least) +
+                                                ", and nothing is less than 0. Write how much is allowed"};
     if (bounds.least > bounds.greatest)
         return WrongValue{member.node.span, "the least number of '" + member.key +
                                                 "' is above the greatest. Write the least first"};

@@ -1,7 +1,7 @@
 //! Puts bounds into words.
 #include "cli/engine/bounds.hpp"
 
-#include "cli/suggest.hpp"
+#include "cli/text/shown.hpp"
 
 #include <string>
 #include <string_view>

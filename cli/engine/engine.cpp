@@ -38,6 +38,7 @@ constexpr std::size_t short_texts = 16UL * 1024 * 1024;
 struct SeenFile {
     ReadFile read; ///< `file` only where it was read whole and kept
     FileOutline outline;
+    std::string control; ///< that it was checked for
 };
 
 using Group = std::vector<std::size_t>; ///< places in the snapshot
@@ -164,7 +165,9 @@ class Run {
             if (!snapshot_.files[i].input.asked) continue;
             ReadFile& read = seen_[i].read;
             if (read.notice) result_.notices.push_back(*std::move(read.notice));
-            if (read.dialect != nullptr) result_.sources.push_back(std::move(read.source));
+            if (read.dialect == nullptr) continue;
+            result_.read_as.push_back({std::string(read.dialect->name), std::move(seen_[i].control)});
+            result_.sources.push_back(std::move(read.source));
         }
     }
 
@@ -183,6 +186,7 @@ class Run {
             const SnapshotFile& file = snapshot_.files[i];
             const auto programs = held.emplace_back(programs_of(i));
             if (programs == nullptr) continue;
+            seen_[i].control = programs->control->name;
             if (file.input.asked) rules.push_back({programs.get(), file.settings.rules.get()});
             if (file.input.asked && file.settings.dialect == nullptr) // whoever names it wants to see all
                 std::ranges::move(other_control(*programs, *seen_[i].read.dialect),

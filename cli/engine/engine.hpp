@@ -2,6 +2,7 @@
 #pragma once
 
 #include "cli/engine/program_store.hpp"
+#include "cli/engine/read_as.hpp"
 #include "cli/engine/snapshot.hpp"
 #include "cli/engine/timing.hpp"
 #include "cli/filter/apply_suppressions.hpp"
@@ -26,6 +27,7 @@ struct Result {
     std::vector<Notice> notices = {}; ///< on files that were asked for, in the order of the snapshot
     std::vector<std::shared_ptr<const Source>> sources =
         {};                                 ///< of files that were asked for and linted, as above
+    std::vector<ReadAs> read_as = {};       ///< each of `sources`
     std::vector<VendorProgram> vendor = {}; ///< those whose warnings and notes nobody asked for
     Timing timing = {};
     bool cancelled = false; ///< somebody asked to stop: the rest is empty

@@ -3,7 +3,7 @@
 
 #include "analyzer/dialect/other_control.hpp"
 #include "analyzer/program/model.hpp"
-#include "cli/suggest.hpp"
+#include "cli/text/shown.hpp"
 
 #include <algorithm>
 #include <map>

@@ -4,7 +4,6 @@
 #include "analyzer/program/model.hpp"
 #include "cli/filter/directive.hpp"
 #include "cli/filter/one_cause.hpp"
-#include "cli/suggest.hpp"
 #include "rules/finding_order.hpp"
 #include "rules/fixes.hpp"
 
@@ -250,7 +249,8 @@ class FileSuppressions {
             for (const DirectiveFault& fault : directive.faults) {
                 Finding& finding =
                     reporter.report({file_, fault.span}, fault.span, fault.message_id, fault.arguments);
-                if (fault.message_id == "similar") // it may allow what nobody has looked at
+                if (fault.message_id == "similar" ||
+                    fault.message_id == "tied") // it may allow what nobody has looked at
                     rules::offer_text(finding, Applicability::unsafe, fault.span, fault.arguments[1]);
             }
         std::ranges::move(reporter.take(), std::back_inserter(findings));

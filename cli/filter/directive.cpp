@@ -3,7 +3,7 @@
 #include "cli/filter/directive.hpp"
 
 #include "analyzer/program/model.hpp"
-#include "cli/suggest.hpp"
+#include "cli/text/letters.hpp"
 
 #include <algorithm>
 #include <array>
@@ -66,6 +66,37 @@ std::string example(char open) {
     return "(MACLINT ALLOW MAC301 - REASON)";
 }
 
+/// What stands behind "MACLINT" in one word with it, as ":ALLOW"; empty where that is another word.
+std::string_view tied_to_name(std::string_view word) {
+    constexpr std::string_view name = "MACLINT";
+    if (in_upper_case(word.substr(0, name.size())) != name) return {};
+    const std::string_view tied = word.substr(name.size());
+    return tied.starts_with(':') || tied.starts_with('-') || tied.starts_with('=') ? tied
+                                                                                   : std::string_view();
+}
+
+bool is_verb(std::string_view word) {
+    return std::ranges::find(verbs, in_upper_case(word), &VerbRow::word) != verbs.end();
+}
+
+/// "MACLINT: ALLOW MAC301", "MACLINT-ALLOW MAC301": meant for maclint, and of no effect. Nothing where the
+/// comment has no instruction: it speaks of maclint.
+std::optional<DirectiveFault> tied_verb(const ProgramFile& file, std::string_view tied, Span span,
+                                        Words words) {
+    const std::size_t letter = std::min(tied.find_first_not_of(":-="), tied.size());
+    std::string_view verb = tied.substr(letter);
+    Span end = span;
+    if (verb.empty()) {
+        const auto next = words.next();
+        verb = next.text;
+        end = next.span;
+    }
+    if (!is_verb(verb)) return std::nullopt;
+    const Span wrong{span.begin, end.end};
+    return DirectiveFault{
+        wrong, "tied", {file.source->to_utf8(file.source->bytes(wrong)), "MACLINT " + in_upper_case(verb)}};
+}
+
 /// A comment with more words that name no rule is no typing error: it gets no proposals.
 constexpr std::size_t most_proposals = 8;
 
@@ -106,9 +137,16 @@ std::optional<Directive> read_directive(const ProgramFile& file, const Directive
     if (text.ends_with(')') || text.ends_with(']')) text.remove_suffix(1);
     Words words(text, begin);
     const auto name = words.next();
-    if (in_upper_case(name.text) != "MACLINT") return std::nullopt;
     Directive directive;
     directive.comment = &comment;
+    if (const std::string_view tied = tied_to_name(name.text); !tied.empty()) {
+        auto fault = tied_verb(file, tied, name.span, words);
+        if (!fault) return std::nullopt;
+        directive.valid = false;
+        directive.faults.push_back(*std::move(fault));
+        return directive;
+    }
+    if (in_upper_case(name.text) != "MACLINT") return std::nullopt;
     const auto verb = words.next();
     const auto* const row = std::ranges::find(verbs, in_upper_case(verb.text), &VerbRow::word);
     if (row != verbs.end()) {

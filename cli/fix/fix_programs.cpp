@@ -2,7 +2,6 @@
 #include "cli/fix/fix_programs.hpp"
 
 #include "cli/fix/edited_text.hpp"
-#include "cli/suggest.hpp"
 
 #include <cstddef>
 #include <functional>

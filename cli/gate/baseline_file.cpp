@@ -8,7 +8,8 @@
 #include "analyzer/source/source.hpp"
 #include "cli/config/json_tree.hpp"
 #include "cli/input/size_limits.hpp"
-#include "cli/suggest.hpp"
+#include "cli/text/letters.hpp"
+#include "cli/text/shown.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -6,7 +6,7 @@
 #include "analyzer/source/platform/paths.hpp"
 #include "cli/gate/compared_files.hpp"
 #include "cli/input/repository.hpp"
-#include "cli/suggest.hpp"
+#include "cli/text/shown.hpp"
 
 #include <algorithm>
 #include <iterator>

@@ -5,7 +5,7 @@
 #include "analyzer/source/platform/paths.hpp"
 #include "cli/gate/renamed_files.hpp"
 #include "cli/input/git_folders.hpp"
-#include "cli/suggest.hpp"
+#include "cli/text/shown.hpp"
 
 #include <algorithm>
 #include <map>

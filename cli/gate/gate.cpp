@@ -3,7 +3,7 @@
 #include "cli/gate/gate.hpp"
 
 #include "cli/gate/vendor_code.hpp"
-#include "cli/suggest.hpp"
+#include "cli/text/shown.hpp"
 #include "rules/rule.hpp"
 
 #include <algorithm>
@@ -75,7 +75,8 @@ std::optional<Notice> leave_unchanged_out(Result& result, const ChangedLines& ch
 std::variant<Gate, Notice> Gate::open(const CheckRequest& request, const Snapshot& snapshot) {
     Gate gate;
     auto known = KnownFindings::read(
-        {request.overrides.baseline, request.write_baseline, request.prune_baseline}, snapshot);
+        {request.overrides.baseline, request.write_baseline, request.prune_baseline, request.fail_on_gone},
+        snapshot);
     if (auto* notice = std::get_if<Notice>(&known)) return std::move(*notice);
     gate.known_ = std::get<KnownFindings>(std::move(known));
     if (request.since.empty()) return gate;

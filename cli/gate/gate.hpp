@@ -21,6 +21,7 @@ class Gate {
                                                          const Snapshot& snapshot);
 
     [[nodiscard]] bool has_baseline() const { return known_.in_use(); }
+    [[nodiscard]] bool has_stale_entries() const { return known_.has_stale_entries(); }
 
     /// Marks findings that are known, then leaves out those that nothing changed at, then marks those of a
     /// maker's programs, and says what is worth telling.

@@ -2,7 +2,7 @@
 #include "cli/gate/git_call.hpp"
 
 #include "analyzer/source/platform/paths.hpp"
-#include "cli/suggest.hpp"
+#include "cli/text/shown.hpp"
 
 #include <utility>
 

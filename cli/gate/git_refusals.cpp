@@ -8,7 +8,7 @@
 #include "cli/input/links.hpp"
 #include "cli/input/other_server.hpp"
 #include "cli/input/size_limits.hpp"
-#include "cli/suggest.hpp"
+#include "cli/text/shown.hpp"
 
 #include <algorithm>
 #include <array>

@@ -8,8 +8,8 @@
 #include "cli/gate/match.hpp"
 #include "cli/gate/write_alone.hpp"
 #include "cli/report/fingerprint.hpp"
-#include "cli/suggest.hpp"
 #include "cli/terminal.hpp"
+#include "cli/text/shown.hpp"
 
 #include <algorithm>
 #include <filesystem>
@@ -194,10 +194,12 @@ std::variant<KnownFindings, Notice> KnownFindings::read(BaselineWishes wishes, c
         if (auto* notice = std::get_if<Notice>(&baseline)) return std::move(*notice);
         known.baselines_[path] = std::get<Baseline>(std::move(baseline));
     }
-    if (known.wishes_.prune && paths.empty())
+    if ((known.wishes_.prune || known.wishes_.fail_on_gone) && paths.empty())
         return Notice{NoticeKind::configuration, "",
-                      "--prune-baseline finds no baseline to prune. Name it with --baseline FILE, or as "
-                      "'baseline' in the configuration."};
+                      std::string(known.wishes_.prune ? "--prune-baseline finds no baseline to prune"
+                                                      : "--fail-on-gone finds no baseline") +
+                          ". Name it with --baseline FILE, or as "
+                          "'baseline' in the configuration."};
     if (!known.wishes_.write.empty()) {
         auto before = read_before(known.wishes_.write);
         if (auto* notice = std::get_if<Notice>(&before)) return std::move(*notice);
@@ -205,8 +207,9 @@ std::variant<KnownFindings, Notice> KnownFindings::read(BaselineWishes wishes, c
     return known;
 }
 
-std::vector<Notice> KnownFindings::mark(const Snapshot& snapshot, Result& result) const {
+std::vector<Notice> KnownFindings::mark(const Snapshot& snapshot, Result& result) {
     std::vector<Notice> notices;
+    has_stale_entries_ = false;
     Fingerprints prints;
     for (const auto& [path, baseline] : baselines_) {
         const Share share =
@@ -222,8 +225,10 @@ std::vector<Notice> KnownFindings::mark(const Snapshot& snapshot, Result& result
         else if (wishes_.prune)
             notices.push_back(
                 write_alone(path, [&, &path = path] { return prune(path, wishes_.named_by(), share); }));
-        else if (matched.gone > 0)
+        else if (matched.gone > 0) {
             notices.push_back(note(path, gone_text(matched.gone)));
+            has_stale_entries_ = true;
+        }
     }
     if (!wishes_.write.empty()) {
         const Share share =

@@ -18,6 +18,7 @@ struct BaselineWishes {
     std::string read;  ///< --baseline, which files of the snapshot name, too; empty: each file's own
     std::string write; ///< --write-baseline; empty: no
     bool prune = false;
+    bool fail_on_gone = false; ///< --fail-on-gone, which wants a baseline
 
     [[nodiscard]] NamedBy named_by() const {
         return read.empty() ? NamedBy::configuration : NamedBy::command_line;
@@ -34,11 +35,14 @@ class KnownFindings {
     [[nodiscard]] bool in_use() const { return !baselines_.empty() || !wishes_.write.empty(); }
 
     /// Marks the findings that are known and writes what is to be written; says what is worth telling.
-    [[nodiscard]] std::vector<Notice> mark(const Snapshot& snapshot, Result& result) const;
+    [[nodiscard]] std::vector<Notice> mark(const Snapshot& snapshot, Result& result);
+    /// Whether the last call met entries that are gone from the files checked, and left them in.
+    [[nodiscard]] bool has_stale_entries() const { return has_stale_entries_; }
 
   private:
     BaselineWishes wishes_;
     std::map<std::string, Baseline> baselines_; ///< by path
+    bool has_stale_entries_ = false;
 };
 
 } // namespace maclint::cli

@@ -5,7 +5,7 @@
 #include "analyzer/source/platform/files.hpp"
 #include "analyzer/source/platform/paths.hpp"
 #include "cli/gate/git_refusals.hpp"
-#include "cli/suggest.hpp"
+#include "cli/text/shown.hpp"
 
 #include <algorithm>
 #include <charconv>

@@ -1,7 +1,7 @@
 //! Warnings and notes are for whoever can change the program.
 #include "cli/gate/vendor_code.hpp"
 
-#include "cli/suggest.hpp"
+#include "cli/text/shown.hpp"
 
 #include <algorithm>
 #include <array>

@@ -5,7 +5,7 @@
 #include "analyzer/source/platform/lock.hpp"
 #include "analyzer/source/platform/output.hpp"
 #include "analyzer/source/platform/paths.hpp"
-#include "cli/suggest.hpp"
+#include "cli/text/shown.hpp"
 
 #include <cerrno>
 #include <optional>

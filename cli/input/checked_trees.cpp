@@ -5,7 +5,8 @@
 #include "analyzer/source/platform/output.hpp"
 #include "analyzer/source/platform/paths.hpp"
 #include "cli/input/repository.hpp"
-#include "cli/suggest.hpp"
+#include "cli/text/letters.hpp"
+#include "cli/text/shown.hpp"
 
 #include <algorithm>
 #include <system_error>

@@ -10,7 +10,7 @@
 #include "cli/input/links.hpp"
 #include "cli/input/program_name.hpp"
 #include "cli/input/repository.hpp"
-#include "cli/suggest.hpp"
+#include "cli/text/shown.hpp"
 
 #include <algorithm>
 #include <array>

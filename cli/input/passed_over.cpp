@@ -1,7 +1,7 @@
 //! Numbers in words.
 #include "cli/input/passed_over.hpp"
 
-#include "cli/suggest.hpp"
+#include "cli/text/shown.hpp"
 
 namespace maclint::cli {
 

@@ -3,7 +3,7 @@
 
 #include "analyzer/dialect/dialect.hpp"
 #include "analyzer/source/platform/paths.hpp"
-#include "cli/suggest.hpp"
+#include "cli/text/letters.hpp"
 
 #include <algorithm>
 #include <array>

@@ -4,7 +4,7 @@
 #include "analyzer/source/platform/files.hpp"
 #include "analyzer/source/platform/paths.hpp"
 #include "cli/config/glob.hpp"
-#include "cli/suggest.hpp"
+#include "cli/text/letters.hpp"
 
 #include <algorithm>
 #include <filesystem>

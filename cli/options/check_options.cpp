@@ -5,9 +5,11 @@
 #include "analyzer/dialect/dialect.hpp"
 #include "analyzer/source/platform/console.hpp"
 #include "analyzer/source/platform/output.hpp"
+#include "cli/fix/add_suppressions.hpp"
 #include "cli/input/wildcards.hpp"
 #include "cli/options/choices.hpp"
-#include "cli/suggest.hpp"
+#include "cli/text/guess.hpp"
+#include "cli/text/shown.hpp"
 #include "rules/listed.hpp"
 
 #include <algorithm>
@@ -34,6 +36,8 @@ void declare_gate(CLI::App& check, CheckWords& words) {
     add_file(check, "--write-baseline", words.write_baseline,
              "Write this file: what is found now is known from then on");
     check.add_flag("--prune-baseline", words.prune_baseline, "Take what is gone out of the baseline");
+    check.add_flag("--fail-on-gone", words.fail_on_gone,
+                   "Exit status 1 where the baseline knows findings that are gone, too");
     check
         .add_option("--since", words.since,
                     "Only findings that show a line changed since this git revision, such as HEAD")
@@ -49,7 +53,12 @@ void declare_fixes(CLI::App& check, CheckWords& words) {
                    "Correct programs where a fix is safe: no block does anything else than it can only mean");
     check.add_flag("--unsafe-fixes", words.unsafe_fixes,
                    "Beside --fix or --diff, fixes that somebody who knows the program should look at, too");
-    check.add_flag("--diff", words.diff, "Print what --fix would change, and change nothing");
+    check.add_flag("--diff", words.diff,
+                   "Print what --fix or --add-suppressions would change, and change nothing");
+    check.add_flag("--add-suppressions", words.add_suppressions,
+                   "Write a comment that allows it for each finding from --fail-on on");
+    check.add_option("--reason", words.reason, "Beside --add-suppressions: why they are allowed")
+        ->type_name("TEXT");
 }
 
 void declare_discovery(CLI::App& check, CheckWords& words) {
@@ -185,14 +194,33 @@ void exclude(std::string_view one, std::string_view other, std::string_view why)
            ". Leave one out.");
 }
 
+/// Comments are written as fixes are.
+void read_suppressions(const CheckWords& words, CheckRequest& request) {
+    if (!words.add_suppressions) {
+        if (!words.reason.empty())
+            refuse("--reason says why findings are allowed. Write --add-suppressions beside it.");
+        return;
+    }
+    if (words.fix) exclude("--add-suppressions", "--fix", "fix first, allow what is left then");
+    if (words.reason.empty())
+        refuse(
+            "--add-suppressions wants to know why the findings are allowed. Write --reason \"proven on the "
+            "machine\".");
+    if (const auto wrong = wrong_reason(words.reason)) refuse(*wrong);
+    request.allowing_reason = words.reason;
+}
+
 /// Reads the request's paths and sinks, too.
 void read_fixes(const CheckWords& words, CheckRequest& request) {
-    if (!words.fix && !words.diff) {
+    read_suppressions(words, request);
+    if (!words.fix && !words.diff && !words.add_suppressions) {
         if (words.unsafe_fixes)
             refuse("--unsafe-fixes says which fixes are taken. Write --fix or --diff beside it.");
         return;
     }
-    const std::string_view option = words.fix ? "--fix" : "--diff";
+    const std::string_view option = words.fix                ? "--fix"
+                                    : words.add_suppressions ? "--add-suppressions"
+                                                             : "--diff";
     if (words.fix && words.diff) exclude("--diff", "--fix", "one of them changes nothing");
     if (words.show_config) exclude(option, "--show-config", "that checks nothing");
     if (words.show_files) exclude(option, "--show-files", "that checks nothing");
@@ -200,11 +228,13 @@ void read_fixes(const CheckWords& words, CheckRequest& request) {
     if (words.prune_baseline) exclude(option, "--prune-baseline", "fix first, prune then");
     if (words.diff && (!words.format.empty() || !words.outputs.empty()))
         refuse("--diff prints a difference and no report. Leave --format and --output out.");
+    if (words.add_suppressions && words.unsafe_fixes)
+        exclude("--add-suppressions", "--unsafe-fixes", "it fixes nothing");
     if (words.diff && words.statistics) exclude("--diff", "--statistics", "it prints no report");
     if (words.diff && words.show_withheld) exclude("--diff", "--show-withheld", "it prints no report");
     if (std::ranges::find(request.paths, "-") != request.paths.end())
         refuse(std::string(option) + " does not take standard input. Name the file.");
-    request.fix_use = words.fix ? FixUse::written : FixUse::shown;
+    request.fix_use = words.diff ? FixUse::shown : FixUse::written;
     request.fixes_wanted = words.unsafe_fixes ? FixesWanted::all : FixesWanted::safe;
 }
 
@@ -214,6 +244,7 @@ void read_gate(const CheckWords& words, CheckRequest& request) {
         constexpr std::string_view write = "--write-baseline";
         if (!words.baseline.empty()) exclude("--baseline", write, "what is written is all that is found");
         if (words.prune_baseline) exclude("--prune-baseline", write, "what is written is never gone");
+        if (words.fail_on_gone) exclude("--fail-on-gone", write, "what is written is never gone");
         if (!words.since.empty()) exclude("--since", write, "what is written is all that is found");
         if (is_standard_output(words.write_baseline))
             refuse("--write-baseline wants the name of a file. Standard output has the report.");
@@ -222,25 +253,27 @@ void read_gate(const CheckWords& words, CheckRequest& request) {
         exclude("--baseline", "--no-baseline", "one of them names what the other leaves out");
     if (words.no_baseline && words.prune_baseline)
         exclude("--prune-baseline", "--no-baseline", "nothing is left to prune");
+    if (words.fail_on_gone && words.no_baseline)
+        exclude("--fail-on-gone", "--no-baseline", "nothing is known that could be gone");
+    if (words.fail_on_gone && words.prune_baseline)
+        exclude("--fail-on-gone", "--prune-baseline", "what is gone is taken out");
     request.overrides.baseline = words.baseline;
     request.overrides.no_baseline = words.no_baseline || !words.write_baseline.empty();
     request.write_baseline = words.write_baseline;
     request.prune_baseline = words.prune_baseline;
+    request.fail_on_gone = words.fail_on_gone;
     request.since = words.since;
 }
 
 } // namespace
 
-void declare_check(CLI::App& check, CheckWords& words) {
-    const auto repeatable = [](CLI::Option* option) { return option->allow_extra_args(false); };
-    check.add_option("PATH", words.paths, "Files and folders; '-' reads standard input (default: .)")
-        ->type_name("");
-    check
-        .add_option("--format", words.format,
-                    "What goes to standard output: " + rules::listed(words_of(formats), " and "))
-        ->type_name("FORMAT");
-    repeatable(check.add_option("--output", words.outputs, "Also write a report to a file; may be repeated"))
-        ->type_name("FORMAT:FILE");
+namespace {
+
+CLI::Option* repeatable(CLI::Option* option) { return option->allow_extra_args(false); }
+
+void begin_group(CLI::App& check, const std::string& name) { check.option_defaults()->group(name); }
+
+void declare_machine(CLI::App& check, CheckWords& words) {
     check
         .add_option("--dialect", words.dialect,
                     "Language of all files: auto, " + rules::listed(dialect_names(), " and "))
@@ -262,6 +295,9 @@ void declare_check(CLI::App& check, CheckWords& words) {
         ->type_name("OPTIONS");
     check.add_option("--axes", words.axes, "Letters of all axes of the machine, such as XYZA")
         ->type_name("LETTERS");
+}
+
+void declare_selection(CLI::App& check, CheckWords& words) {
     repeatable(check.add_option(
                    "--select", words.select,
                    "Only these rules: codes, names, rows such as MAC523/G83.Q, prefixes such as MAC3, ALL"))
@@ -275,14 +311,22 @@ void declare_check(CLI::App& check, CheckWords& words) {
         ->type_name("EXEMPTIONS");
     check.add_flag("--show-withheld", words.show_withheld,
                    "Report what a rule's exemptions hold back, too, and which; it does not count");
+}
+
+void declare_configuration(CLI::App& check, CheckWords& words) {
     add_file(check, "--config", words.config,
              "This configuration instead of the nearest " + std::string(configuration_name));
     check.add_flag("--isolated", words.isolated, "No configuration at all");
     check.add_flag("--show-config", words.show_config, "Print what holds for each file, and why");
-    check.add_flag("--show-files", words.show_files,
-                   "List what is read, what is passed over, and why; check nothing");
-    add_file(check, "--stdin-filename", words.stdin_name, "Name under which standard input is linted");
-    check.add_option("--jobs", words.jobs, "Threads (default: one a core)")->type_name("N");
+}
+
+void declare_reports(CLI::App& check, CheckWords& words) {
+    check
+        .add_option("--format", words.format,
+                    "What goes to standard output: " + rules::listed(words_of(formats), " and "))
+        ->type_name("FORMAT");
+    repeatable(check.add_option("--output", words.outputs, "Also write a report to a file; may be repeated"))
+        ->type_name("FORMAT:FILE");
     check
         .add_option(
             "--fail-on", words.fail_on,
@@ -297,14 +341,51 @@ void declare_check(CLI::App& check, CheckWords& words) {
     check.add_option("--color", words.colour, "auto, always or never; NO_COLOR is respected")
         ->type_name("WHEN");
     check.add_flag("--quiet,-q", words.quiet, "No summary, notes or progress");
-    declare_fixes(check, words);
-    declare_discovery(check, words);
     check.add_flag("--no-timestamps", words.no_timestamps,
                    "No times in reports, so that equal runs give equal files");
     check.add_flag("--statistics", words.statistics, "Count the findings by rule and by file, too");
     check.add_flag("--timing", words.timing, "Say on standard error where the time of the run went");
-    declare_gate(check, words);
 }
+
+} // namespace
+
+void declare_check(CLI::App& check, CheckWords& words) {
+    check.add_option("PATH", words.paths, "Files and folders; '-' reads standard input (default: .)")
+        ->type_name("");
+    begin_group(check, "What the programs are for");
+    declare_machine(check, words);
+    begin_group(check, "Which rules");
+    declare_selection(check, words);
+    begin_group(check, "Configuration");
+    declare_configuration(check, words);
+    begin_group(check, "Reports");
+    declare_reports(check, words);
+    begin_group(check, "Known findings and changes");
+    declare_gate(check, words);
+    begin_group(check, "Correcting programs");
+    declare_fixes(check, words);
+    begin_group(check, "Which files");
+    declare_discovery(check, words);
+    check.add_flag("--show-files", words.show_files,
+                   "List what is read, what is passed over, and why; check nothing");
+    add_file(check, "--stdin-filename", words.stdin_name, "Name under which standard input is linted");
+    begin_group(check, "Threads");
+    check.add_option("--jobs", words.jobs, "Threads (default: one a core)")->type_name("N");
+}
+
+namespace {
+
+/// What --show-config prints is no report.
+void read_show_config(const CheckWords& words, CheckRequest& request) {
+    if (!words.show_config) return;
+    if (words.show_files) refuse("--show-config and --show-files exclude each other. Leave one out.");
+    if (!words.outputs.empty()) exclude("--output", "--show-config", "it writes no report");
+    request.show_config = ShowConfig::yes;
+    if (!words.format.empty())
+        request.config_format = choose("--show-config --format", words.format, plain_list_formats);
+}
+
+} // namespace
 
 CheckRequest check_request(const CheckWords& words) {
     CheckRequest request;
@@ -313,9 +394,7 @@ CheckRequest check_request(const CheckWords& words) {
     request.sinks = sinks_of(words);
     request.overrides = overrides_of(words);
     require_control(request.overrides);
-    request.show_config = words.show_config ? ShowConfig::yes : ShowConfig::no;
-    if (words.show_config && words.show_files)
-        refuse("--show-config and --show-files exclude each other. Leave one out.");
+    read_show_config(words, request);
     request.show_files = words.show_files ? ShowFiles::yes : ShowFiles::no;
     request.stdin_name = words.stdin_name.empty() ? std::string(default_stdin_name) : words.stdin_name;
     request.jobs = words.jobs.empty() ? std::max(1U, std::thread::hardware_concurrency())

@@ -18,11 +18,12 @@ struct CheckWords {
         options;
     std::string format, dialect = "auto", control, config, stdin_name, jobs, fail_on = "warning",
                         max_findings, max_file_size, path = "short", colour = "auto", baseline,
-                        write_baseline, since, axes;
+                        write_baseline, since, axes, reason;
     bool isolated = false, show_config = false, show_files = false, quiet = false, no_timestamps = false,
          timing = false, statistics = false, no_baseline = false, prune_baseline = false,
-         force_exclude = false, no_gitignore = false, follow_links = false, error_on_empty = false,
-         vendor = false, show_withheld = false, fix = false, unsafe_fixes = false, diff = false;
+         fail_on_gone = false, force_exclude = false, no_gitignore = false, follow_links = false,
+         error_on_empty = false, vendor = false, show_withheld = false, fix = false, unsafe_fixes = false,
+         diff = false, add_suppressions = false;
 };
 
 void declare_check(CLI::App& check, CheckWords& words);

@@ -4,7 +4,8 @@
 #include "analyzer/source/read.hpp"
 #include "cli/config/configuration.hpp"
 #include "cli/config/rule_words.hpp"
-#include "cli/suggest.hpp"
+#include "cli/text/guess.hpp"
+#include "cli/text/letters.hpp"
 #include "rules/listed.hpp"
 
 #include <utility>

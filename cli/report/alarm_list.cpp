@@ -2,7 +2,7 @@
 #include "cli/report/alarm_page.hpp"
 #include "cli/report/alarm_words.hpp"
 #include "cli/report/rule_page.hpp"
-#include "cli/suggest.hpp"
+#include "cli/text/shown.hpp"
 #include "rules/alarms/alarm_uses.hpp"
 
 #include <array>

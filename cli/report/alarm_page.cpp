@@ -2,7 +2,8 @@
 #include "cli/report/alarm_page.hpp"
 
 #include "cli/report/alarm_words.hpp"
-#include "cli/suggest.hpp"
+#include "cli/text/letters.hpp"
+#include "cli/text/shown.hpp"
 #include "rules/alarms/alarm_uses.hpp"
 #include "rules/listed.hpp"
 

@@ -4,7 +4,6 @@
 #include "analyzer/dialect/dialect.hpp"
 #include "cli/report/code_watchers.hpp"
 #include "cli/report/force_words.hpp"
-#include "cli/suggest.hpp"
 #include "rules/words/row_text.hpp"
 #include "rules/words/row_values.hpp"
 #include "rules/words/rule_row.hpp"

@@ -3,7 +3,7 @@
 
 #include "analyzer/dialect/dialect.hpp"
 #include "cli/report/mentions.hpp"
-#include "cli/suggest.hpp"
+#include "cli/text/letters.hpp"
 #include "rules/words/row_place.hpp"
 #include "rules/words/row_text.hpp"
 #include "rules/words/section_pages.hpp"

@@ -3,7 +3,7 @@
 #include "cli/report/ansi_style.hpp"
 #include "cli/report/report.hpp"
 #include "cli/report/statistics.hpp"
-#include "cli/suggest.hpp"
+#include "cli/text/shown.hpp"
 #include "rules/listed.hpp"
 
 namespace maclint::cli {

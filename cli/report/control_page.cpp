@@ -2,10 +2,12 @@
 #include "cli/report/control_page.hpp"
 
 #include "analyzer/dialect/dialect.hpp"
+#include "cli/report/columns.hpp"
 #include "cli/report/control_facts.hpp"
-#include "cli/suggest.hpp"
+#include "cli/text/shown.hpp"
 
 #include <algorithm>
+#include <utility>
 
 #include <nlohmann/json.hpp>
 
@@ -56,20 +58,30 @@ Json summary_of(const ControlModel& control, const ControlFacts& facts) {
 
 } // namespace
 
-std::string plain_controls() {
+std::string plain_controls(std::size_t width) {
     std::size_t widest = 0;
     for (const ControlModel* control : controls()) widest = std::max(widest, control->name.size());
+    const std::size_t column = widest + 2;
+    const std::string before(column, ' ');
     std::string out;
     for (const ControlModel* control : controls()) {
         const ControlFacts facts = facts_of(*control);
-        out += padded(control->name, widest + 2) + control->description + "\n" +
-               std::string(widest + 2, ' ') + machine_of(*control) + "; " + counted(facts.codes, "code") +
-               " with " + counted(facts.words, "word") + "; " + counted(facts.variables.size(), "range") +
-               " of variables; " +
-               (control->alarms.empty() ? "no alarms" : "alarms of " + std::string(control->alarms)) + "\n";
+        const std::string what =
+            machine_of(*control) + "; " + counted(facts.codes, "code") + " with " +
+            counted(facts.words, "word") + "; " + counted(facts.variables.size(), "range") +
+            " of variables; " +
+            (control->alarms.empty() ? "no alarms" : "alarms of " + std::string(control->alarms));
+        std::string name = padded(control->name, column);
+        for (const std::string& text : {control->description, what})
+            for (const std::string& line : wrapped(text, width - column, width - column))
+                out += std::exchange(name, before) + line + "\n";
     }
-    return out + "\n'maclint controls NAME' tells what is known of one; a program's control is named with "
-                 "--control or in the configuration.\n";
+    out += "\n";
+    for (const std::string& line : wrapped("'maclint controls NAME' tells what is known of one; a program's "
+                                           "control is named with --control or in the configuration.",
+                                           width, width))
+        out += line + "\n";
+    return out;
 }
 
 std::string json_controls() {

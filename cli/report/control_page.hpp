@@ -9,7 +9,7 @@
 namespace maclint::cli {
 
 /// A line for each control.
-[[nodiscard]] std::string plain_controls();
+[[nodiscard]] std::string plain_controls(std::size_t width);
 /// JSON of all controls, or of one with all that it knows.
 [[nodiscard]] std::string json_controls();
 [[nodiscard]] std::string json_control(const ControlModel& control);

@@ -1,7 +1,7 @@
 //! Compares the texts of a rule's messages up to their first argument.
 #include "cli/report/heading.hpp"
 
-#include "cli/suggest.hpp"
+#include "cli/text/letters.hpp"
 
 #include <algorithm>
 #include <cstddef>

@@ -1,9 +1,11 @@
 //! The report as JSON of our own; docs/json.md describes it. Keys are added, never changed, within a version.
 #include "analyzer/dialect/dialect.hpp"
 #include "analyzer/source/encoding.hpp"
+#include "cli/report/fingerprint.hpp"
+#include "cli/report/remark.hpp"
 #include "cli/report/report.hpp"
+#include "cli/report/rule_page.hpp"
 #include "cli/report/statistics.hpp"
-#include "cli/suggest.hpp"
 #include "rules/words/rule_row.hpp"
 
 #include <nlohmann/json.hpp>
@@ -32,7 +34,7 @@ Json json_of(const std::vector<RelatedLocation>& locations) {
     for (const RelatedLocation& related : locations)
         list.push_back({{"file", path_of(*related.source)},
                         {"range", json_of(*related.source, related.span)},
-                        {"text", related.text}});
+                        {"text", remark_of(related, Remarks::alone)}});
     return list;
 }
 
@@ -45,7 +47,7 @@ Json json_of(const std::vector<Edit>& edits) {
     return list;
 }
 
-Json json_of(const FilteredFinding& filtered) {
+Json json_of(const FilteredFinding& filtered, const Report& report, Fingerprints& fingerprints) {
     const Finding& finding = filtered.finding;
     const Source& source = *finding.source;
     Json out = {{"code", finding.rule->code}, {"name", finding.rule->name}};
@@ -60,6 +62,14 @@ Json json_of(const FilteredFinding& filtered) {
                        {"path", json_of(finding.path)},
                        {"fix", finding.fixes.empty() ? Json::array() : json_of(finding.fixes.front().edits)}};
     out.update(rest);
+    if (const std::string cure = finding.cure(); !cure.empty()) out["cure"] = cure;
+    if (!finding.alarm.empty()) out["alarm"] = finding.alarm;
+    out["fingerprint"] = fingerprints.of(finding);
+    if (const auto read_as = report.read_as.find(&source); read_as != report.read_as.end()) {
+        out["dialect"] = read_as->second.dialect;
+        out["control"] = read_as->second.control;
+    }
+    if (const std::string page = page_url(*finding.rule); !page.empty()) out["url"] = page;
     if (!finding.fixes.empty()) {
         out["fix_title"] = finding.fixes.front().title;
         out["fix_applicability"] = name_of(finding.fixes.front().applicability);
@@ -101,13 +111,14 @@ std::string write_json(const Report& report) {
     Json known = Json::array();
     Json vendor = Json::array();
     Json withheld = Json::array();
+    Fingerprints fingerprints;
     for (const FilteredFinding& filtered : report.findings)
         (is_withheld(filtered)    ? withheld
          : is_of_vendor(filtered) ? vendor
          : is_known(filtered)     ? known
          : filtered.suppressed    ? suppressed
                                   : findings)
-            .push_back(json_of(filtered));
+            .push_back(json_of(filtered, report, fingerprints));
     Json notices = Json::array();
     for (const Notice& notice : report.notices)
         notices.push_back({{"severity", notice.is_error() ? "error" : "note"},

@@ -61,11 +61,7 @@ void PlainPage::add_example(std::string_view heading, const Example& example,
     }
 }
 
-void PlainPage::add_source(std::string_view source) {
-    const std::string shown = shown_source(source);
-    add_item(shown);
-    if (shown == source && !document_of(source).empty()) add_lines(document_of(source), "        ");
-}
+void PlainPage::add_source(std::string_view source) { add_item(source_sentence(source)); }
 
 std::string origin_of(const Example& example) {
     std::string origin(example.dialect);
@@ -84,9 +80,8 @@ std::string shown_example(const Example& example) {
 }
 
 std::string shown_source(std::string_view source) {
-    constexpr std::string_view experience = "T";
-    if (source != experience && !source.starts_with("T:")) return std::string(source);
-    return "T (experience, not confirmed)" + std::string(source.substr(experience.size()));
+    const bool is_experience = source == "T" || source.starts_with("T:");
+    return is_experience ? source_sentence(source) : std::string(source);
 }
 
 std::string allowances(std::string_view code, const std::function<bool(const Dialect&)>& wanted,

@@ -44,7 +44,7 @@ class PlainPage {
     /// `marked`: lines (from 1) that the rule speaks of.
     void add_example(std::string_view heading, const Example& example,
                      const std::vector<std::uint32_t>& marked);
-    /// With the document that its key stands for.
+    /// As a sentence, with its key behind.
     void add_source(std::string_view source);
 
     [[nodiscard]] std::string take() { return std::move(out_); }

@@ -1,6 +1,7 @@
 //! What a run found, ready to be written in any format.
 #pragma once
 
+#include "cli/engine/read_as.hpp"
 #include "cli/filter/apply_suppressions.hpp"
 #include "cli/input/passed_over.hpp"
 #include "cli/notice.hpp"
@@ -11,6 +12,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <unordered_map>
 #include <vector>
 
 namespace maclint::cli {
@@ -24,8 +26,9 @@ struct Report {
     std::vector<FilteredFinding> findings; ///< in the order of reports, suppressed ones included
     std::vector<Notice> notices;           ///< in the order of paths
     std::vector<std::shared_ptr<const Source>>
-        files;                              ///< that were linted because the user asked for them, by path
-    std::vector<FilteredFinding> not_shown; ///< left out of `findings` because of --max-findings
+        files; ///< that were linted because the user asked for them, by path
+    std::unordered_map<const Source*, ReadAs> read_as; ///< each of `files`
+    std::vector<FilteredFinding> not_shown;            ///< left out of `findings` because of --max-findings
     PassedOver passed_over;
     bool has_baseline = false; ///< known findings are told from new ones
     int exit_status = 0;

@@ -61,11 +61,9 @@ std::string padded(std::string text, std::size_t width) {
     return text;
 }
 
-std::string list_line(const RuleRow& row, const std::string& name, std::size_t width) {
-    constexpr std::size_t widest_severity = 7;
-    return "    " + padded(name, width) + " " +
-           padded(std::string(name_of(row.first().severity)), widest_severity) +
-           (row.on_by_default() ? "      " : "  off ") + sentence_of(row.rows.front()) + "\n";
+std::string list_entry(const RuleRow& row, const std::string& name, std::size_t widest, std::size_t width) {
+    return "    " + padded(name, widest) + " " + std::string(name_of(row.first().severity)) +
+           (row.on_by_default() ? "\n" : ", off\n") + below_name(sentence_of(row.rows.front()), width);
 }
 
 bool writes_for(const Dialect& dialect, const RuleRow& row) {
@@ -132,15 +130,15 @@ std::string plain_rows(const Rule& rule, const PageStyle& style) {
     return page.take();
 }
 
-std::string list_of_rows(std::span<const RuleRow* const> rows) {
+std::string list_of_rows(std::span<const RuleRow* const> rows, std::size_t width) {
     std::size_t widest = 0;
     for (const RuleRow* row : rows) widest = std::max(widest, row->name().size());
     std::string out;
-    for (const RuleRow* row : rows) out += list_line(*row, row->name(), widest);
+    for (const RuleRow* row : rows) out += list_entry(*row, row->name(), widest, width);
     return out;
 }
 
-std::string list_below(const Rule& rule) {
+std::string list_below(const Rule& rule, std::size_t width) {
     constexpr std::size_t most_rows = 12;
     if (rows_of(rule).size() > most_rows)
         return "    /" + rows_of(rule).front().key + " and " + std::to_string(rows_of(rule).size() - 1) +
@@ -148,7 +146,7 @@ std::string list_below(const Rule& rule) {
     std::size_t widest = 0;
     for (const RuleRow& row : rows_of(rule)) widest = std::max(widest, row.key.size() + 1);
     std::string out;
-    for (const RuleRow& row : rows_of(rule)) out += list_line(row, "/" + row.key, widest);
+    for (const RuleRow& row : rows_of(rule)) out += list_entry(row, "/" + row.key, widest, width);
     return out;
 }
 

@@ -15,10 +15,10 @@ namespace maclint::cli {
 [[nodiscard]] std::string markdown_rows(const Rule& rule);
 [[nodiscard]] std::string plain_rows(const Rule& rule, const PageStyle& style);
 
-/// A line for each row, as beside the rules of a list.
-[[nodiscard]] std::string list_of_rows(std::span<const RuleRow* const> rows);
-/// Those of one rule, under its line.
-[[nodiscard]] std::string list_below(const Rule& rule);
+/// The rows, as beside the rules of a list, in so many columns; 0: the reader wraps lines.
+[[nodiscard]] std::string list_of_rows(std::span<const RuleRow* const> rows, std::size_t width);
+/// Those of one rule, under its own lines.
+[[nodiscard]] std::string list_below(const Rule& rule, std::size_t width);
 
 /// Where the row holds: "fanuc mills, on fanuc-30i, under G41 or G42".
 [[nodiscard]] std::string where_of(const RowForCode& row);

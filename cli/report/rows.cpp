@@ -33,18 +33,19 @@ void add(std::vector<Row>& rows, Row row) {
 }
 
 /// All rows; the path ends at the finding's own place.
-std::vector<Row> all_rows_of(const Finding& finding) {
+std::vector<Row> all_rows_of(const Finding& finding, Remarks remarks) {
     std::vector<Row> rows;
+    const auto row_of = [remarks](const RelatedLocation& related) {
+        return row_at(*related.source, related.span, remark_of(related, remarks));
+    };
     const auto end = finding.path.empty() ? finding.path.end() : std::prev(finding.path.end());
-    for (auto step = finding.path.begin(); step != end; ++step)
-        add(rows, row_at(*step->source, step->span, step->text));
+    for (auto step = finding.path.begin(); step != end; ++step) add(rows, row_of(*step));
     const bool told = end != finding.path.end() && end->span == finding.span;
-    if (end != finding.path.end() && !told) add(rows, row_at(*end->source, end->span, end->text));
-    Row own = row_at(*finding.source, finding.span, told ? end->text : "");
+    if (end != finding.path.end() && !told) add(rows, row_of(*end));
+    Row own = row_at(*finding.source, finding.span, told ? remark_of(*end, remarks) : "");
     own.own = true;
     add(rows, std::move(own));
-    for (const RelatedLocation& related : finding.related)
-        add(rows, row_at(*related.source, related.span, related.text));
+    for (const RelatedLocation& related : finding.related) add(rows, row_of(related));
     return rows;
 }
 
@@ -60,8 +61,8 @@ void shorten(std::vector<Row>& rows) {
 
 } // namespace
 
-Rows rows_of(const Finding& finding, PathDetail detail) {
-    Rows rows{all_rows_of(finding), 0};
+Rows rows_of(const Finding& finding, PathDetail detail, Remarks remarks) {
+    Rows rows{all_rows_of(finding, remarks), 0};
     const std::size_t all = rows.rows.size();
     if (detail == PathDetail::shortened) shorten(rows.rows);
     if (detail == PathDetail::none) std::erase_if(rows.rows, [](const Row& row) { return !row.own; });

@@ -1,6 +1,7 @@
 //! The places of a finding in the order in which a reader needs them: one row for each source line.
 #pragma once
 
+#include "cli/report/remark.hpp"
 #include "cli/report/report.hpp"
 
 #include <cstddef>
@@ -25,6 +26,6 @@ struct Rows {
     std::size_t left_out = 0; ///< rows that there are beside these
 };
 
-[[nodiscard]] Rows rows_of(const Finding& finding, PathDetail detail);
+[[nodiscard]] Rows rows_of(const Finding& finding, PathDetail detail, Remarks remarks);
 
 } // namespace maclint::cli

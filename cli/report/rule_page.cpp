@@ -3,9 +3,11 @@
 
 #include "analyzer/dialect/dialect.hpp"
 #include "cli/config/selection.hpp"
+#include "cli/report/columns.hpp"
 #include "cli/report/exemption_page.hpp"
 #include "cli/report/measured_precision.hpp"
 #include "cli/report/row_page.hpp"
+#include "cli/report/sources.hpp"
 
 #include <algorithm>
 #include <array>
@@ -55,11 +57,23 @@ std::string share_of(const ReadFindings& findings) {
     return std::to_string(findings.correct) + " of " + std::to_string(findings.decided);
 }
 
+/// For readers who meet the word for the first time: the bounds by which it is given (docs/precision.md).
+std::string meaning_of(Precision precision) {
+    switch (precision) {
+    case Precision::low: return "Low: of its findings fewer than half are worth acting on.";
+    case Precision::medium: return "Medium: of its findings at least half are worth acting on.";
+    case Precision::high: return "High: of 10 findings at least 8 are worth acting on.";
+    case Precision::very_high: return "Very high: of 20 findings at least 19 are worth acting on.";
+    }
+    return {};
+}
+
 std::string facts_of(const Rule& rule) {
     std::string severity(name_of(rule.severity));
     for (const OtherSeverity& other : rule.severity_elsewhere)
         severity += ", in " + std::string(other.language) + " " + std::string(name_of(other.severity));
     std::string facts = "Severity: " + severity + ". " + precision_of(rule, measured(rule.code)) + " " +
+                        meaning_of(rule.precision) + " " +
                         (rule.on_by_default ? "On by default." : "Off by default.");
     if (!rule.off_reason.empty()) {
         facts += " " + std::string(rule.off_reason);
@@ -95,6 +109,12 @@ std::string alarm_line(const Alarm& alarm) {
 } // namespace
 
 std::string page_name(const Rule& rule) { return std::string(rule.code) + ".md"; }
+
+std::string_view help_base() { return {MACLINT_HELP_BASE_URL, sizeof(MACLINT_HELP_BASE_URL) - 1}; }
+
+std::string page_url(const Rule& rule) {
+    return help_base().empty() ? "" : std::string(help_base()) + "/" + page_name(rule);
+}
 
 std::string_view family_of(const Rule& rule) {
     for (const FamilyRow& row : families)
@@ -137,7 +157,7 @@ std::string markdown_page(const Rule& rule) {
     out += "\n## To allow it\n\n" + allowances(rule.code, dialects_of(rule), "`", " or ") +
            " at the end of the block, or alone on the line before it.\n";
     if (!rule.sources.empty()) out += "\n## Sources\n\n";
-    for (const std::string_view source : rule.sources) out += "- " + shown_source(source) + "\n";
+    for (const std::string_view source : rule.sources) out += "- " + source_sentence(source) + "\n";
     return out;
 }
 
@@ -161,7 +181,7 @@ std::string plain_page(const Rule& rule, const PageStyle& style, const MarkedLin
     return page.take();
 }
 
-std::string plain_list(std::span<const Rule* const> rules, ListedRows rows) {
+std::string plain_list(std::span<const Rule* const> rules, ListedRows rows, std::size_t width) {
     std::size_t widest = 0;
     for (const Rule* rule : rules) widest = std::max(widest, rule->name.size());
     std::string out;
@@ -171,13 +191,20 @@ std::string plain_list(std::span<const Rule* const> rules, ListedRows rows) {
             family = family_of(*rule);
             out += (out.empty() ? "" : "\n") + std::string(family) + "\n";
         }
-        std::string severity(name_of(rule->severity));
-        severity.resize(7, ' ');
-        out += "  " + std::string(rule->code) + " " + std::string(rule->name) +
-               std::string(widest - rule->name.size() + 1, ' ') + severity +
-               (rule->on_by_default ? "      " : "  off ") + std::string(rule->summary) + "\n";
-        if (rows == ListedRows::shown) out += list_below(*rule);
+        std::string name(rule->name);
+        name.resize(widest, ' ');
+        out += "  " + std::string(rule->code) + " " + name + " " + std::string(name_of(rule->severity)) +
+               (rule->on_by_default ? "\n" : ", off\n") + below_name(rule->summary, width);
+        if (rows == ListedRows::shown) out += list_below(*rule, width);
     }
+    return out;
+}
+
+std::string below_name(std::string_view text, std::size_t width) {
+    constexpr std::size_t column = 9;
+    const std::size_t room = width == 0 ? std::string::npos : width - column;
+    std::string out;
+    for (const std::string& line : wrapped(text, room, room)) out += std::string(column, ' ') + line + "\n";
     return out;
 }
 

@@ -26,13 +26,20 @@ using MarkedLines = std::vector<std::vector<std::uint32_t>>;
 /// The same for a terminal or a plain-text viewer.
 [[nodiscard]] std::string plain_page(const Rule& rule, const PageStyle& style, const MarkedLines& marked);
 enum class ListedRows : std::uint8_t { left_out, shown };
-/// The rules by their families, a line each, and one for each of their rows.
-[[nodiscard]] std::string plain_list(std::span<const Rule* const> rules, ListedRows rows);
+/// The rules by their families, with their rows, in so many columns; 0: the reader wraps lines. What a rule
+/// or a row says stands below its name.
+[[nodiscard]] std::string plain_list(std::span<const Rule* const> rules, ListedRows rows, std::size_t width);
+/// What stands below a name in such a list.
+[[nodiscard]] std::string below_name(std::string_view text, std::size_t width);
 /// Table of all rules with links to their pages.
 [[nodiscard]] std::string markdown_index();
 
 /// "MAC303.md".
 [[nodiscard]] std::string page_name(const Rule& rule);
+/// Address of the folder of pages; empty until one is published (MACLINT_HELP_BASE_URL of the build).
+[[nodiscard]] std::string_view help_base();
+/// Of the rule's page; empty where none is published.
+[[nodiscard]] std::string page_url(const Rule& rule);
 /// "loops and jumps".
 [[nodiscard]] std::string_view family_of(const Rule& rule);
 /// "very-high".

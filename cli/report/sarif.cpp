@@ -3,10 +3,11 @@
 #include "cli/config/rule_words.hpp"
 #include "cli/report/fingerprint.hpp"
 #include "cli/report/heading.hpp"
+#include "cli/report/remark.hpp"
 #include "cli/report/report.hpp"
 #include "cli/report/rule_page.hpp"
 #include "cli/report/uri.hpp"
-#include "cli/suggest.hpp"
+#include "cli/text/letters.hpp"
 #include "rules/alarms/alarm_uses.hpp"
 
 #include <algorithm>
@@ -24,8 +25,6 @@ using Json = nlohmann::ordered_json;
 constexpr std::string_view schema = "https://json.schemastore.org/sarif-2.1.0.json";
 constexpr std::string_view root_id = "%SRCROOT%";
 constexpr Offset longest_snippet = 4096; ///< bytes; a report is no copy of the programs
-/// Empty until an address is published.
-constexpr std::string_view help_base{MACLINT_HELP_BASE_URL, sizeof(MACLINT_HELP_BASE_URL) - 1};
 /// Reports of one repository are kept apart by it; the part behind the slash, of the run, is left to those
 /// who upload (3.17.2).
 constexpr std::string_view automation_id = "maclint/";
@@ -36,7 +35,7 @@ struct NoticeRow {
     std::string_view description;
 };
 
-constexpr std::array<NoticeRow, 8> notice_rows{{
+constexpr std::array<NoticeRow, 9> notice_rows{{
     {NoticeKind::unreadable, "NOTE001", "A file could not be read or written."},
     {NoticeKind::configuration, "NOTE002", "A configuration file is wrong."},
     {NoticeKind::foreign, "NOTE003", "A file is in a language that maclint does not lint."},
@@ -45,6 +44,7 @@ constexpr std::array<NoticeRow, 8> notice_rows{{
     {NoticeKind::baseline, "NOTE006", "The findings differ from those that are known."},
     {NoticeKind::origin, "NOTE007", "A configuration is of another user, or from above the repository."},
     {NoticeKind::vendor, "NOTE008", "Warnings and notes in programs of a maker do not count."},
+    {NoticeKind::idle_setting, "NOTE009", "Something in a configuration has no effect."},
 }};
 
 /// "jump-into-loop" as SARIF viewers want names: "JumpIntoLoop".
@@ -278,7 +278,7 @@ class SarifWriter {
         for (const RelatedLocation& related : finding.further_places())
             list.push_back({{"id", list.size() + 1},
                             {"physicalLocation", short_physical(*related.source, related.span)},
-                            {"message", text_message(sentence(related.text))}});
+                            {"message", text_message(sentence(remark_of(related, Remarks::alone)))}});
         return list;
     }
 
@@ -287,7 +287,7 @@ class SarifWriter {
         for (const RelatedLocation& related : finding.path)
             steps.push_back({{"location",
                               {{"physicalLocation", short_physical(*related.source, related.span)},
-                               {"message", text_message(sentence(related.text))}}},
+                               {"message", text_message(sentence(remark_of(related, Remarks::alone)))}}},
                              {"executionOrder", steps.size() + 1}});
         return Json::array({{{"threadFlows", Json::array({{{"locations", std::move(steps)}}})}}});
     }
@@ -360,7 +360,7 @@ class SarifWriter {
                        {"language", "en"},
                        {"rules", std::move(rules)},
                        {"notifications", std::move(notices)}};
-        if (!help_base.empty()) driver["informationUri"] = help_base;
+        if (!help_base().empty()) driver["informationUri"] = help_base();
         Json supported = Json::array();
         for (const std::string_view list : alarm_lists) supported.push_back({{"name", taxonomy_name(list)}});
         driver["supportedTaxonomies"] = std::move(supported);
@@ -388,7 +388,7 @@ class SarifWriter {
                       {"tags", {"nc-program", family_of(rule)}}}}};
         for (const RuleExemption& record : rule.exemptions)
             out["properties"]["exemptions"].push_back({{"name", record.name}, {"why", record.why}});
-        if (!help_base.empty()) out["helpUri"] = std::string(help_base) + "/" + page_name(rule);
+        if (const std::string page = page_url(rule); !page.empty()) out["helpUri"] = page;
         if (Json related = relationships_of(rule); !related.empty())
             out["relationships"] = std::move(related);
         return out;

@@ -4,7 +4,7 @@
 #include "analyzer/source/encoding.hpp"
 #include "cli/report/rows.hpp"
 #include "cli/report/uri.hpp"
-#include "cli/suggest.hpp"
+#include "cli/text/shown.hpp"
 
 #include <unordered_map>
 
@@ -37,7 +37,7 @@ std::vector<const Notice*> run_errors(const Report& report) {
 
 std::vector<std::string> steps_of(const Finding& finding, PathDetail detail, const std::string& root) {
     std::vector<std::string> steps;
-    for (const Row& row : rows_of(finding, detail).rows) {
+    for (const Row& row : rows_of(finding, detail, Remarks::alone).rows) {
         if (row.remark.empty()) continue;
         steps.push_back(service_path(row.source->path(), root) + ":" + std::to_string(row.line) + ": " +
                         printable(row.remark));

@@ -307,15 +307,44 @@ constexpr std::array<SourceRow, 117> rows{{
 }};
 // clang-format on
 
-} // namespace
-
-std::string_view document_of(std::string_view source) {
+/// nullptr: the source is no key.
+const SourceRow* row_of(std::string_view source) {
     const auto is_key = [&](const SourceRow& row) {
         const std::string_view rest = source.substr(std::min(source.size(), row.key.size()));
         return source.starts_with(row.key) && (rest.empty() || rest.front() == ':' || rest.front() == ' ');
     };
     const auto row = std::ranges::find_if(rows, is_key);
-    return row == rows.end() ? std::string_view() : row->document;
+    return row == rows.end() ? nullptr : &*row;
+}
+
+} // namespace
+
+std::string_view document_of(std::string_view source) {
+    const SourceRow* row = row_of(source);
+    return row == nullptr ? std::string_view() : row->document;
+}
+
+std::string source_sentence(std::string_view source) {
+    constexpr std::string_view experience = "T", by_line = ". Lines of its text";
+    if (source == experience || source.starts_with("T:"))
+        return "T (experience, not confirmed)" + std::string(source.substr(experience.size()));
+    const SourceRow* row = row_of(source);
+    if (row == nullptr) return std::string(source);
+    std::string_view place = source.substr(row->key.size());
+    place.remove_prefix(std::min(place.find_first_not_of(": "), place.size()));
+    std::string sentence(row->document);
+    if (row->document.ends_with(by_line)) {
+        sentence.resize(sentence.size() - by_line.size());
+        const bool is_number = place.find_first_not_of("0123456789,- ") == std::string_view::npos;
+        const bool is_one = place.find_first_of("-,") == std::string_view::npos;
+        if (!place.empty() && is_number)
+            sentence += (is_one ? ", line " : ", lines ") + std::string(place) + " of its text";
+        else if (!place.empty())
+            sentence += ", " + std::string(place);
+    } else if (!place.empty()) {
+        sentence += ", " + std::string(place);
+    }
+    return sentence + " (" + std::string(source) + ")";
 }
 
 } // namespace maclint::cli

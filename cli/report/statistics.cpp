@@ -2,7 +2,7 @@
 #include "cli/report/statistics.hpp"
 
 #include "cli/config/rule_words.hpp"
-#include "cli/suggest.hpp"
+#include "cli/text/shown.hpp"
 #include "rules/words/rule_row.hpp"
 
 #include <algorithm>

@@ -1,7 +1,7 @@
 //! Counts findings and says so in one line.
 #include "cli/fix/choose.hpp"
 #include "cli/report/report.hpp"
-#include "cli/suggest.hpp"
+#include "cli/text/shown.hpp"
 
 #include <map>
 #include <unordered_set>

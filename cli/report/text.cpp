@@ -6,7 +6,7 @@
 #include "cli/report/rows.hpp"
 #include "cli/report/snippet.hpp"
 #include "cli/report/statistics.hpp"
-#include "cli/suggest.hpp"
+#include "cli/text/shown.hpp"
 
 #include <algorithm>
 #include <string>
@@ -35,7 +35,7 @@ class TextWriter {
 
     void add(const Finding& finding) {
         if (is_one_of_many(finding)) return;
-        const Rows rows = rows_of(finding, wanted_.path);
+        const Rows rows = rows_of(finding, wanted_.path, Remarks::beside_code);
         left_out_ += rows.left_out;
         margin_ = widest_number(rows.rows) + 1;
         add_headline("", finding);
@@ -62,7 +62,7 @@ class TextWriter {
     /// A finding that does not count: where it is, and why nobody is told of it.
     void add_withheld(const FilteredFinding& filtered) {
         const Finding& finding = filtered.finding;
-        const Rows rows = rows_of(finding, PathDetail::none);
+        const Rows rows = rows_of(finding, PathDetail::none, Remarks::beside_code);
         margin_ = widest_number(rows.rows) + 1;
         add_headline("withheld ", finding);
         add_place("-->", *finding.source, finding.span);

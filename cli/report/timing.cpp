@@ -1,7 +1,7 @@
 //! One row a part: the time, and what it was spent on.
 #include "cli/report/timing.hpp"
 
-#include "cli/suggest.hpp"
+#include "cli/text/shown.hpp"
 
 #include <array>
 #include <cstdio>

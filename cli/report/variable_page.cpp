@@ -3,7 +3,6 @@
 
 #include "analyzer/dialect/dialect.hpp"
 #include "cli/report/mentions.hpp"
-#include "cli/suggest.hpp"
 #include "rules/listed.hpp"
 
 #include <algorithm>

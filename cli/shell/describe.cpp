@@ -11,7 +11,8 @@ ValueKind kind_of(const OptionText& option) {
     if (option.value.empty()) return ValueKind::none;
     if (option.value == "RULES" || option.value == "EXEMPTIONS") return ValueKind::lists;
     if (!option.words.empty()) return ValueKind::words;
-    if (option.value == "FILE" || option.value == "DIR" || option.value == "PATH") return ValueKind::path;
+    if (option.value == "FILE" || option.value == "DIR" || option.value == "PATH" || option.value == "FOLDER")
+        return ValueKind::path;
     return ValueKind::free;
 }
 

@@ -13,6 +13,8 @@ extern const Rule unknown_rule_in_suppression{
     .messages = {{"unknown", "Unknown rule: there is no '{0}'.", "See 'maclint rules' for the list."},
                  {"similar", "Unknown rule: there is no '{0}'.", "Write '{1}' if you mean that one."},
                  {"no-rule", "Comment for maclint that names no rule.", "Write '{0}'."},
+                 {"tied", "Comment for maclint that allows nothing: '{0}' is not how it is written.",
+                  "Write '{1}' with a blank between."},
                  {"no-verb", "Unknown instruction: '{0}' is nothing that maclint understands here.",
                   "Write ALLOW, ALLOW-FILE, OFF or ON before the rule's code."}},
     .bad = {{"fanuc", R"nc(

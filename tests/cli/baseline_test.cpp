@@ -193,6 +193,11 @@ TEST_F(BaselineOption, TellsWhatIsGoneAndPrunesIt) {
               "maclint: note: base.json: 1 entry is gone from the files checked. --prune-baseline takes "
               "it out.\n");
     EXPECT_EQ(run({"--baseline", "base.json", "O2.nc"}).err, "") << "O1001.nc was not looked at";
+    EXPECT_EQ(run({"--baseline", "base.json", "--fail-on-gone", "O1001.nc"}).status, 1);
+    EXPECT_EQ(run({"--baseline", "base.json", "--fail-on-gone", "--fail-on", "never", "O1001.nc"}).status, 1);
+    EXPECT_EQ(run({"--baseline", "base.json", "--fail-on-gone", "O2.nc"}).status, 0);
+    EXPECT_THAT(run({"--fail-on-gone", "O2.nc"}).err, HasSubstr("--fail-on-gone finds no baseline"));
+    EXPECT_EQ(run({"--baseline", "base.json", "--fail-on-gone", "--prune-baseline"}).status, 2);
     EXPECT_EQ(run({"--baseline", "base.json", "--ignore", "MAC301", "O1001.nc"}).err, "");
     EXPECT_EQ(baseline(), before);
     const Finished pruned = run({"--baseline", "base.json", "--prune-baseline", "O1001.nc"});

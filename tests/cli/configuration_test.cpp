@@ -66,6 +66,77 @@ TEST(JsonTree, RefusesWhatIsNoJson) {
     EXPECT_TRUE(std::holds_alternative<JsonError>(parse_json("\"\xFF\"")));
 }
 
+TEST(JsonTree, TakesACommaBeforeAClosingBracket) {
+    const auto parsed = parse_json("{ \"a\": [1, 2, /* last, */ ], // and\n \"b,]\": \",}\\\",}\", }");
+    ASSERT_TRUE(std::holds_alternative<JsonNode>(parsed));
+    const auto& object = std::get<JsonNode::Object>(std::get<JsonNode>(parsed).value);
+    ASSERT_EQ(object.size(), 2U);
+    EXPECT_EQ(std::get<JsonNode::Array>(object[0].node.value).size(), 2U);
+    EXPECT_EQ(std::get<std::string>(object[1].node.value), ",}\",}");
+    EXPECT_TRUE(std::holds_alternative<JsonError>(parse_json("[1,,]")));
+    EXPECT_TRUE(std::holds_alternative<JsonError>(parse_json("{\"a\": 1 \"b\": 2}")));
+}
+
+TEST(Configuration, TellsWhatToWriteInPlaceOfWhatIsNoJson) {
+    EXPECT_EQ(refusal("{\n 'select': []}"),
+              "line 2, column 2: texts stand in double quotes. Write \"select\".");
+    EXPECT_EQ(refusal("{\n \"exclude\": [old]}"), "line 2, column 14: 'old' has no quotes. Write \"old\".");
+    EXPECT_THAT(
+        refusal("{ \"exclude\": [\"mill\\*.nc\"]}"),
+        AllOf(HasSubstr("a backslash stands for nothing here"), HasSubstr("Write '/' between folders")));
+    EXPECT_THAT(refusal("{ \"exclude\": [\"a\" \"b\"]}"), HasSubstr("a comma is missing before this"));
+    EXPECT_THAT(refusal("{ \"exclude\": [\"a\"]"), HasSubstr("the file ends too early"));
+}
+
+TEST(Configuration, RefusesBackslashesInGlobs) {
+    for (const char* text :
+         {R"({"exclude": ["mill\\*.nc"]})", R"({"include": ["mill\\*.nc"]})",
+          R"({"vendor": ["!mill\\*.nc"]})", R"({"files": [{"glob": "mill\\*.nc", "control": "fanuc"}]})",
+          R"({"per-file-ignores": {"mill\\*.nc": ["MAC501"]}})"})
+        EXPECT_THAT(refusal(text), HasSubstr(R"(Write "mill/*.nc".)")) << text;
+}
+
+TEST(Configuration, SaysWhereRulesBelongThatStandAtTheWrongPlace) {
+    EXPECT_THAT(refusal(R"({"MAC501": "off"})"),
+                HasSubstr(R"(Write "ignore": [ "MAC501" ] to switch it off)"));
+    EXPECT_THAT(refusal(R"({"severity": {"MAC501": "off"}})"), HasSubstr(R"(or "ignore": [ "MAC501" ])"));
+    EXPECT_THAT(refusal(R"({"severity": {"MAC501": "default"}})"), HasSubstr("leave it out"));
+    EXPECT_THAT(refusal(R"({"rules": {"MAC501": "off"}})"), HasSubstr("'select', 'ignore' and 'severity'"));
+    EXPECT_THAT(refusal(R"({"control": "fanuc-30i"})"), HasSubstr(R"("files": [ { "glob": "**", "control")"));
+    EXPECT_THAT(refusal(R"({"ignores": ["MAC501"]})"), HasSubstr("switched off in 'ignore'"));
+    EXPECT_THAT(refusal(R"({"sevrity": {}})"), HasSubstr("Did you mean 'severity'?"));
+}
+
+TEST(Configuration, RefusesLimitsBelowZeroButForPositions) {
+    const auto with = [](std::string_view limits) {
+        return refusal(R"({"controls": {"M": {"model": "fanuc-16i", "limits": )" + std::string(limits) +
+                       "}}}");
+    };
+    EXPECT_THAT(with(R"({"speed": -5})"), HasSubstr("'speed' is -5, and nothing is less than 0"));
+    EXPECT_THAT(with(R"({"tool": [-1, 24]})"), HasSubstr("'tool' is -1"));
+    EXPECT_THAT(with(R"({"feed-per-minute": [-20, -10]})"), HasSubstr("'feed-per-minute' is -20"));
+    EXPECT_EQ(with(R"({"Z": [-410, -5], "X": -5, "speed": 0})"), "accepted");
+}
+
+TEST(Configuration, KnowsWhichFileOfAChainSaysWhat) {
+    const TemporaryFolder folder;
+    folder.write("shop.json", R"({"ignore": ["MAC501"], "vendor": ["old"], "severity": {"MAC502": "error"},
+        "files": [{"glob": "*.nc", "control": "fanuc-16i"}], "per-file-ignores": {"*.nc": ["MAC503"]}})");
+    const auto configuration =
+        load(folder, R"({"extends": "shop.json", "complete": true, "severity": {"MAC301": "note"}})");
+    EXPECT_THAT(configuration->said_in("complete"), testing::EndsWith(".maclint.json: complete"));
+    EXPECT_THAT(configuration->said_in("vendor"), testing::EndsWith("shop.json: vendor"));
+    EXPECT_THAT(configuration->said_in("ignore"), testing::EndsWith("/shop.json: ignore"));
+    Settings settings({});
+    const auto file = settings.for_file((folder.path() / "O1.nc").string());
+    EXPECT_THAT(file->controls.front().reason, HasSubstr("/shop.json: files '*.nc'"));
+    const auto reason = [&](std::string_view code) { return file->rules->reason_of(state(*file, code)); };
+    EXPECT_THAT(reason("MAC501"), testing::EndsWith("/shop.json: ignore"));
+    EXPECT_THAT(reason("MAC502"), testing::EndsWith("/shop.json: severity"));
+    EXPECT_THAT(reason("MAC503"), HasSubstr("/shop.json: per-file-ignores"));
+    EXPECT_THAT(reason("MAC301"), testing::EndsWith(".maclint.json: severity"));
+}
+
 TEST(Configuration, SaysWhichControlAndDialectFilesAreFor) {
     const TemporaryFolder folder;
     folder.write(".maclint.json", R"({

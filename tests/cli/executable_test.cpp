@@ -458,9 +458,88 @@ TEST_F(Executable, ExplainsHowFarToTrustASourceAndHowEachLanguageAllowsARule) {
     EXPECT_THAT(run({"explain", "DIN330"}).out, Not(HasSubstr("(MACLINT")));
 }
 
+TEST_F(Executable, NotesGlobsThatTakeNoProgram) {
+    folder.write("shop/lathe/O1.nc", without_defect);
+    folder.write(".maclint.json", R"({"files": [{"glob": "lathe/*.nc", "control": "fanuc-16i"}],
+        "per-file-ignores": {"*.nc": ["MAC501"]}, "include": ["*.tap"], "exclude": ["old"]})");
+    const std::string told = run({}).err;
+    EXPECT_THAT(told,
+                HasSubstr("files 'lathe/*.nc' takes no program of the folder. Write \"**/lathe/*.nc\""));
+    EXPECT_THAT(told, HasSubstr("include '*.tap' takes no program"));
+    EXPECT_THAT(told, testing::Not(HasSubstr("'*.nc'")));
+    EXPECT_EQ(run({"shop"}).err, "") << "who looks at a part sees not all files";
+    EXPECT_EQ(run({"--isolated"}).err, "");
+    EXPECT_THAT(run({"--format", "sarif", "--quiet"}).out, HasSubstr("NOTE009"));
+}
+
+TEST_F(Executable, NotesFilesThatWereMeantForAConfiguration) {
+    folder.write("O1.nc", without_defect);
+    folder.write("maclint.json", R"({"ignore": ["MAC501"]})");
+    EXPECT_THAT(run({}).err,
+                HasSubstr("maclint.json: is not read: a configuration is named .maclint.json. Rename it."));
+    folder.write("maclint.json", R"({"version": 1, "findings": []})");
+    EXPECT_EQ(run({}).err, "") << "a report";
+    fs::remove(folder.path() / "maclint.json");
+    folder.write(".maclint.json.txt", R"({"ignore": ["MAC501"]})");
+    EXPECT_THAT(run({}).err, HasSubstr(".maclint.json.txt: is not read"));
+    folder.write(".maclint.json", "{}");
+    EXPECT_EQ(run({}).err, "");
+}
+
+TEST_F(Executable, ShowsConfigurationsAsJson) {
+    folder.write("shop.json", R"({"ignore": ["MAC501"]})");
+    folder.write(".maclint.json", R"({"extends": "shop.json", "complete": true})");
+    folder.write("O1.nc", without_defect);
+    const auto json = nlohmann::json::parse(run({"--show-config", "--format", "json"}).out);
+    EXPECT_EQ(json["version"], 1);
+    const auto& file = json["files"][0];
+    EXPECT_EQ(file["file"], "O1.nc");
+    EXPECT_EQ(file["configuration"]["value"], ".maclint.json");
+    EXPECT_EQ(file["configuration"]["reason"], "it extends shop.json");
+    EXPECT_EQ(file["callers"]["reason"], ".maclint.json: complete");
+    EXPECT_EQ(file["changes"][0],
+              (nlohmann::json{{"reason", "shop.json: ignore"}, {"rules", {"MAC501 off"}}}));
+    EXPECT_EQ(run({"--show-config", "--format", "sarif"}).status, 2);
+    EXPECT_THAT(run({"--show-config", "--output", "json:a.json"}).err, HasSubstr("it writes no report"));
+    EXPECT_THAT(run({"--show-config"}).out, HasSubstr("MAC501 off (shop.json: ignore)"));
+}
+
+/// Lines wider than a terminal of 80 columns.
+std::vector<std::string> wide_lines(const std::string& text) {
+    std::vector<std::string> wide;
+    std::istringstream lines(text);
+    for (std::string line; std::getline(lines, line);)
+        if (line.size() > 80 && !line.starts_with("  maclint ")) wide.push_back(line); // which is to be typed
+    return wide;
+}
+
+TEST_F(Executable, KeepsHelpAndListsWithin80ColumnsAndCutsNoWord) {
+    for (const std::string command :
+         {"check", "rules", "explain", "controls", "completions", "man", "help", "version"}) {
+        const std::string help = run({"help", command}).out;
+        EXPECT_THAT(wide_lines(help), IsEmpty()) << command;
+        EXPECT_THAT(
+            help, AllOf(HasSubstr("Usage: maclint "), HasSubstr("  -h, --help                 This text\n")));
+    }
+    for (const std::string list : {"rules", "controls"})
+        EXPECT_THAT(wide_lines(run({list}).out), IsEmpty()) << list;
+    EXPECT_THAT(wide_lines(run({"explain", "jump"}).out), IsEmpty());
+    const std::string help = run({"--help"}).out;
+    EXPECT_THAT(
+        help,
+        HasSubstr(
+            "\nWhich rules:\n  --select RULES             Only these rules: codes, names, rows such as\n"
+            "                             MAC523/G83.Q, prefixes such as MAC3, ALL\n"));
+    EXPECT_THAT(help, HasSubstr("\nExamples:\n  maclint\n    Check all programs"));
+    EXPECT_THAT(run({"rules"}).out,
+                HasSubstr("\n  MAC005 other-control                         warning\n"
+                          "         The program is written for another control; what it says here is\n"
+                          "         withheld\n"));
+}
+
 TEST_F(Executable, ListsRulesAndWritesTheirPages) {
     EXPECT_THAT(run({"rules"}).out, HasSubstr("MAC303 jump-into-loop"));
-    EXPECT_GT(nlohmann::json::parse(run({"rules", "--format", "json"}).out).size(), 10U);
+    EXPECT_GT(nlohmann::json::parse(run({"rules", "--format", "json"}).out)["rules"].size(), 10U);
     EXPECT_EQ(run({"rules", "--write-docs", "docs"}).status, 0);
     folder.write("docs/MAC000.md", "gone");
     folder.write("docs/MACHINES.md", "the user's");

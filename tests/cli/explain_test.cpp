@@ -10,6 +10,7 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
 
 namespace maclint::test {
 namespace {
@@ -38,6 +39,30 @@ TEST_F(Explain, TellsOfAlarmsByTheirNumber) {
                       HasSubstr("What brings it:"), HasSubstr("MAC301 jump-target-missing: ")));
     for (const std::string word : {"78", "078", "PS0078", "alarm 78", "P/S 78"})
         EXPECT_THAT(page({word}), HasSubstr("Alarm 078 ")) << word;
+}
+
+TEST_F(Explain, WritesJsonForTools) {
+    const auto explained = [&](const std::string& word) {
+        return nlohmann::json::parse(page({word, "--format", "json"}));
+    };
+    const auto rule = explained("jump-into-loop");
+    EXPECT_EQ(rule["version"], 1);
+    ASSERT_EQ(rule["pages"].size(), 1U);
+    EXPECT_EQ(rule["pages"][0]["kind"], "rule");
+    EXPECT_EQ(rule["pages"][0]["rule"]["code"], "MAC303");
+    EXPECT_THAT(rule["pages"][0]["text"].get<std::string>(), HasSubstr("MAC303 jump-into-loop"));
+    EXPECT_EQ(explained("#4109")["pages"][0]["kind"], "variable");
+    EXPECT_EQ(explained("128")["pages"][0]["kind"], "alarm");
+    EXPECT_EQ(explained("MAC523/G83.Q")["pages"][0]["row"], "MAC523/G83.Q");
+    const auto jump = explained("jump");
+    EXPECT_TRUE(jump["pages"].empty());
+    EXPECT_EQ(jump["meant"][0]["code"].get<std::string>().substr(0, 3), "MAC");
+    EXPECT_EQ(run({"explain", "nosuchrule", "--format", "json"}).status, 2);
+}
+
+TEST_F(Explain, FindsRulesByWhatTheirSummariesSay) {
+    EXPECT_THAT(page({"vacant argument"}), HasSubstr("may be meant by 'vacant argument'"));
+    EXPECT_THAT(run({"explain", "is to"}).err, HasSubstr("there is no rule 'is to'")) << "too short to tell";
 }
 
 TEST_F(Explain, TellsOfAlarmsAsOneControlHasThem) {

@@ -73,8 +73,8 @@ TEST_F(RowPages, AreListedOnThePageOfTheirRule) {
 }
 
 TEST_F(RowPages, StandInTheListOfRules) {
-    EXPECT_THAT(run({"rules"}).out, ContainsRegex("  MAC523 word-missing [^\n]+\n(    /[^\n]+\n)+"));
-    const auto list = nlohmann::json::parse(run({"rules", "--format", "json"}).out);
+    EXPECT_THAT(run({"rules"}).out, ContainsRegex("  MAC523 word-missing [^\n]+\n(         [^\n]+\n)+    /"));
+    const auto list = nlohmann::json::parse(run({"rules", "--format", "json"}).out)["rules"];
     for (const auto& rule : list) {
         const auto rows = rows_of(*find_rule(rule["code"].get<std::string>()));
         ASSERT_EQ(rule["rows"].size(), rows.size()) << rule["code"];

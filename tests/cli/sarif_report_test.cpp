@@ -169,6 +169,42 @@ TEST(Sarif, CarriesRelatedPlacesPathFixAndFingerprints) {
     EXPECT_TRUE(result["partialFingerprints"].contains("maclint/v2"));
 }
 
+/// A finding at 'GOTO 9' behind a condition that is false, with an alarm and a cure.
+HandMade behind_condition() {
+    HandMade made("O1.nc", "O1\nIF[#13EQ0]GOTO 5\nGOTO 9\nN5 M30\n");
+    Finding& finding = made.add("GOTO 9", Severity::error);
+    finding.path = {{made.source(), made.place_of("[#13EQ0]"), "false"},
+                    {made.source(), made.place_of("[#13EQ0]"), "true: jumps to line 4"},
+                    {made.source(), made.place_of("GOTO 9"), "true friends are not conditions"}};
+    finding.alarm = "128";
+    made.report().read_as.emplace(made.source().get(), ReadAs{"fanuc", "fanuc-16i"});
+    return made;
+}
+
+TEST(Sarif, SaysWhichConditionAStepIsAbout) {
+    HandMade made = behind_condition();
+    const json steps = first_result(made)["codeFlows"][0]["threadFlows"][0]["locations"];
+    EXPECT_EQ(steps[0]["location"]["message"]["text"], "'[#13EQ0]' is false.");
+    EXPECT_EQ(steps[1]["location"]["message"]["text"], "'[#13EQ0]' is true: jumps to line 4.");
+    EXPECT_EQ(steps[2]["location"]["message"]["text"], "True friends are not conditions.");
+}
+
+TEST(JsonReport, SaysWhichConditionAStepIsAbout) {
+    HandMade made = behind_condition();
+    const json finding = json::parse(write_json(made.report()))["findings"][0];
+    EXPECT_EQ(finding["path"][0]["text"], "'[#13EQ0]' is false");
+}
+
+TEST(JsonReport, CarriesWhatOtherToolsKnowAFindingBy) {
+    HandMade made = behind_condition();
+    const json finding = json::parse(write_json(made.report()))["findings"][0];
+    EXPECT_EQ(finding["cure"], "See 'maclint rules' for the list.");
+    EXPECT_EQ(finding["alarm"], "128");
+    EXPECT_EQ(finding["dialect"], "fanuc");
+    EXPECT_EQ(finding["control"], "fanuc-16i");
+    EXPECT_EQ(finding["fingerprint"], first_result(made)["partialFingerprints"]["maclint/v2"]);
+}
+
 TEST(Sarif, PutsTheEditsOfOneFileTogether) {
     HandMade made("O1.nc", "O1\nGOTO 9\nN9\nM30\n");
     const auto other = std::make_shared<const Source>(Source::from_bytes("O2.nc", "O2\nM99\n"));

@@ -131,6 +131,13 @@ TEST(Github, WritesACommandForEachFinding) {
     EXPECT_THAT(write_github(made.report(), quiet), Not(HasSubstr("it ends here")));
 }
 
+TEST(Github, SaysWhichConditionAStepIsAbout) {
+    HandMade made("O1.nc", "O1\nIF[#13EQ0]GOTO 5\nGOTO 9\nN5 M30\n");
+    made.add("GOTO 9", Severity::error).path = {{made.source(), made.place_of("[#13EQ0]"), "false"},
+                                                {made.source(), made.place_of("GOTO 9"), ""}};
+    EXPECT_THAT(write_github(made.report(), {}), HasSubstr("%0AO1.nc:2: '[#13EQ0]' is false"));
+}
+
 TEST(Github, EscapesWhatEndsAMessageOrAProperty) {
     HandMade made = nasty();
     const std::string text = write_github(made.report(), {});

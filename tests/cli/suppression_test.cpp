@@ -52,6 +52,18 @@ TEST(Suppression, AtTheEndOfABlockIsForThatBlock) {
     EXPECT_THAT(codes_of(program("G0 X1. (MACLINT ALLOW MAC301)", "", "")), ElementsAre("MAC001", "MAC301"));
 }
 
+TEST(Suppression, ThatIsTiedToItsNameAllowsNothingAndIsTold) {
+    for (const std::string comment :
+         {"(MACLINT: ALLOW MAC301)", "(MACLINT:ALLOW MAC301)", "(MACLINT-ALLOW MAC301)",
+          "(maclint: allow mac301 - later)", "(MACLINT=OFF MAC301)"})
+        EXPECT_THAT(codes_of(program("", comment, "")), ElementsAre("MAC301", "MAC002")) << comment;
+    for (const std::string comment : {"(MACLINT: SEE THE MANUAL)", "(MACLINTS ALLOW)", "(MACLINT-CLEAN)"})
+        EXPECT_THAT(codes_of(program("", comment, "")), ElementsAre("MAC301")) << comment;
+    const std::string mended = fixed(program("", "(MACLINT: ALLOW MAC301 - X)", ""));
+    EXPECT_THAT(mended, HasSubstr("(MACLINT ALLOW MAC301 - X)"));
+    EXPECT_THAT(codes_of(mended), IsEmpty());
+}
+
 TEST(Suppression, AloneIsForTheNextBlock) {
     EXPECT_THAT(codes_of(program("(MACLINT ALLOW MAC301)", "", "")), IsEmpty());
     EXPECT_THAT(codes_of(program("(MACLINT ALLOW MAC301)\n(WHY)", "", "")), IsEmpty());
