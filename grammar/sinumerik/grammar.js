@@ -62,26 +62,30 @@ module.exports = grammar({
     // Blocks. A block number behind words begins the next block, whose line end was lost.
     block: $ => choice(
       repeat1($._head),
-      seq(repeat($._head), choice($._content, alias($._line_of_dashes, $.remark)), repeat(choice($._content, $.block_number)))),
+      seq(repeat($._head), choice($._content, alias($._line_of_signs, $.remark)), repeat(choice($._content, $.block_number)))),
 
     _head: $ => choice($.skip, $.block_number, $.main_block_number, $.label),
     skip: $ => /\/[0-9]?/,
     block_number: $ => /[Nn][ \t&]*[0-9]+/,
     main_block_number: $ => /:[ \t&]*[0-9]+/,
-    // The colon of a Chinese keyboard (U+FF1A) is no colon.
-    label: $ => /([A-MO-Za-mo-z_][A-Za-z0-9_]*|[Nn][A-Za-z_][A-Za-z0-9_]*)[ \t]*[:\uFF1A]/,
+    // The colon of a Chinese keyboard (U+FF1A) is no colon. Where a blank stands before it, the name is a child.
+    label: $ => choice($._label, seq($.name, choice(':', '\uFF1A'))),
+    _label: $ => /([A-MO-Za-mo-z_][A-Za-z0-9_]*|[Nn][A-Za-z_][A-Za-z0-9_]*)[:\uFF1A]/,
 
     _content: $ => choice($._any_word, $._statement, $.remark),
 
     // A comment that lacks its `;`. Only where nothing else begins so: what is not ASCII stands in strings and comments alone.
     remark: $ => /[^\x00-\x7F][^;\r\n]*/,
-    _line_of_dashes: $ => /[-*#][-*#=]+[^;\r\n]*/,
+    // `------ bore ------`, `# bore`, `// bore`.
+    _line_of_signs: $ => /([-*#][-*#=]+|#[ \t]*[A-Za-z]|\/\/)[^;\r\n]*/,
 
     // Words
     _any_word: $ => choice(
       $.literal_word, $.program_number, $.assignment, $.command, $.indexed_command, $.call, $.unassigned_word, $.empty_word,
       $.malformed_word, $.foreign_comment),
 
+    // `L0100` calls a program; leading zeros count. It stands before the words, whose letters take in L.
+    program_number: $ => /[Ll][0-9]+/,
     literal_word: $ => $._literal_word,
     _literal_word: $ => token(new RegExp(`${letter}${blank}[+-]?${blank}${digits}`)),
     // Two signs, two points, or a decimal comma.
@@ -89,9 +93,6 @@ module.exports = grammar({
       new RegExp(`${letter}${blank}[+-]?${blank}[0-9]*\\.[0-9]*\\.[0-9.]*`),
       new RegExp(`${letter}${blank}[+-]?${blank}[0-9]+,[0-9]+`),
       new RegExp(`${letter}${blank}[+-]${blank}[+-][+\\-]*${blank}${digits}`))),
-    // `L0100` calls a program; leading zeros count.
-    program_number: $ => /[Ll][0-9]+/,
-
     // `X=R1`, `X1=10`, `R5=2`, `SPOS[2]=90`, `CR=12.5`, `A[3]=SET(1,2)`. What `left` is, the tables say.
     assignment: $ => seq(
       field('left', $._target), field('operator', choice('=', alias('==', $.equality_sign))),
@@ -196,7 +197,7 @@ module.exports = grammar({
     // A label as target has no colon behind it.
     goto_statement: $ => prec.right(seq(
       field('direction', alias(anyOf(['GOTO', 'GOTOF', 'GOTOB', 'GOTOC']), $.direction)),
-      field('target', choice($._expression, $.block_number, $.main_block_number, $.label)))),
+      field('target', choice($._expression, $.block_number, $.main_block_number, alias($._label, $.label))))),
     restart_statement: $ => keyword('GOTOS'),
 
     // Its ID=1 is an assignment in front of it.
