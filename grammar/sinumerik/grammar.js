@@ -190,14 +190,20 @@ module.exports = grammar({
 
     case_statement: $ => prec.right(seq(
       keyword('CASE'), field('value', $._expression), keyword('OF'), repeat1($.case_arm), optional($.default_arm))),
-    case_arm: $ => seq(optional(field('again', keyword('OF'))), field('value', $._case_value), $.goto_statement),
+    case_arm: $ => seq(optional(field('again', keyword('OF'))), field('value', $._case_value), alias($._case_jump, $.goto_statement)),
     _case_value: $ => choice($.number, $.based_number, $.string, $.name, $.indexed_name, alias($._signed_number, $.unary)),
     default_arm: $ => seq(keyword('DEFAULT'), $.goto_statement),
+    // Its target subtracts nothing: in `1 GOTOF ROW -1 GOTOF COLUMN` the -1 is the next value.
+    _case_jump: $ => prec.right(seq(field('direction', $._direction), field('target', choice($._case_target, $.number, $._written_target)))),
+    _case_target: $ => choice($.name, $.axis_name, $.string, $.parenthesis, $.r_parameter, alias($._joined_target, $.concatenation)),
+    _joined_target: $ => prec.left(binds.concatenation, seq(
+      field('left', $._case_target), field('operator', alias('<<', $.operator)), field('right', $._case_target))),
 
     // A label as target has no colon behind it.
     goto_statement: $ => prec.right(seq(
-      field('direction', alias(anyOf(['GOTO', 'GOTOF', 'GOTOB', 'GOTOC']), $.direction)),
-      field('target', choice($._expression, $.block_number, $.main_block_number, alias($._label, $.label))))),
+      field('direction', $._direction), field('target', choice($._expression, $._written_target)))),
+    _direction: $ => alias(anyOf(['GOTO', 'GOTOF', 'GOTOB', 'GOTOC']), $.direction),
+    _written_target: $ => choice($.block_number, $.main_block_number, alias($._label, $.label)),
     restart_statement: $ => keyword('GOTOS'),
 
     // Its ID=1 is an assignment in front of it.
