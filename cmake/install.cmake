@@ -36,7 +36,7 @@ foreach(page IN ITEMS README.md CHANGELOG.md SECURITY.md)
   install(FILES "${CMAKE_BINARY_DIR}/pages/${page}" DESTINATION "${doc}")
 endforeach()
 install(FILES docs/maclint.schema.json DESTINATION "${CMAKE_INSTALL_DATAROOTDIR}/maclint")
-foreach(grammar IN ITEMS fanuc dinplus)
+foreach(grammar IN ITEMS fanuc dinplus sinumerik)
   install(DIRECTORY "grammar/${grammar}" DESTINATION "${CMAKE_INSTALL_DATAROOTDIR}/maclint/grammars"
     PATTERN test EXCLUDE PATTERN ".git*" EXCLUDE)
 endforeach()

@@ -16,7 +16,9 @@ TOKEN = re.compile(r'\s+|;[^\n]*|("(?:\\.|[^"\\])*"|[()\[\]]|@[\w.-]+|#[\w-]+[?!
 FANUC = "%\nO9100(HOLES)\n(X FIRST)\n#3=0\nN10IF[#1EQ0]M98P7\nG65P9200X#3\nG4P5\nWHILE[#3LT5]DO1\nEND1\nM99\n%\n"
 DINPLUS = ('%shaft.nc\nPROGRAM HEAD\n#UNIT METRIC\nMACHINING\n[TWO\nLINES]\nN10 L"CHAMFER" LA40\nN15 #l1=2\nSUBPROGRAM "CHAMFER"\n'
            "N1 G1 X#__la\nRETURN\nEND\n")
-PROGRAMS = {"fanuc": FANUC, "dinplus": DINPLUS}
+SINUMERIK = ("%_N_COVER_MPF\n;FIRST\n;SIDE\nDEF INT ROWS=3\nN10 G0 X5\nFOR R1=1 TO ROWS\nDRILL_ROW(R1)\nENDFOR\nL20 P2\nDONE_:\nM30\n"
+             "%_N_DRILL_ROW_SPF\nPROC DRILL_ROW(INT ROW) SAVE\nM17\n")
+PROGRAMS = {"fanuc": FANUC, "dinplus": DINPLUS, "sinumerik": SINUMERIK}
 
 
 class NodeTypes:
@@ -103,22 +105,24 @@ class TreeSitterTest(unittest.TestCase):
         self.folder = pathlib.Path(held.name)
 
     def printed(self, grammar, *words):
-        """In a folder with a program; that language alone is known, for both take .nc."""
+        """In a folder with a program; that language alone is known, for two take .nc."""
         name = grammar.name
-        (self.folder / "x.nc").write_text(PROGRAMS[name])
+        program = "x.mpf" if name == "sinumerik" else "x.nc"
+        (self.folder / program).write_text(PROGRAMS[name])
         parsers = self.folder / name
         if not parsers.exists():
             parsers.mkdir()
             (parsers / f"tree-sitter-{name}").symlink_to(grammar)
             (self.folder / f"{name}.json").write_text(json.dumps({"parser-directories": [str(parsers)], "theme": {"keyword": 5, "label": 3, "error": 1}}))
-        done = subprocess.run(["tree-sitter", words[0], "--config-path", str(self.folder / f"{name}.json"), *words[1:], "x.nc"], cwd=self.folder,
+        done = subprocess.run(["tree-sitter", words[0], "--config-path", str(self.folder / f"{name}.json"), *words[1:], program], cwd=self.folder,
                               capture_output=True, text=True, env=os.environ | {"XDG_CACHE_HOME": str(self.folder / "cache")}, check=False)
         self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
         return done.stdout
 
     def test_takes_the_queries(self):
         captured = {"fanuc": {"highlights": "keyword.repeat", "folds": "fold", "locals": "local.definition", "tags": "reference.call"},
-                    "dinplus": {"highlights": "keyword.directive", "folds": "fold", "locals": "local.definition", "tags": "definition.function"}}
+                    "dinplus": {"highlights": "keyword.directive", "folds": "fold", "locals": "local.definition", "tags": "definition.function"},
+                    "sinumerik": {"highlights": "keyword.repeat", "folds": "fold", "locals": "local.definition", "tags": "reference.call"}}
         for grammar in GRAMMARS:
             for kind in KINDS:
                 with self.subTest(f"{grammar.name}/{kind}"):
@@ -129,6 +133,8 @@ class TreeSitterTest(unittest.TestCase):
         self.assertIn("\x1b[38;5;05mWHILE\x1b[0m", told["fanuc"])
         self.assertIn("\x1b[38;5;03mN10\x1b[0m", told["fanuc"])
         self.assertIn("\x1b[38;5;05mMACHINING\x1b[0m", told["dinplus"])
+        self.assertIn("\x1b[38;5;05mENDFOR\x1b[0m", told["sinumerik"])
+        self.assertIn("\x1b[38;5;03mDONE_:\x1b[0m", told["sinumerik"])
 
     def test_lists_programs_and_calls(self):
         rows = {each.name: re.findall(r"^(.+?)\s+\| (\w+)\s+(def|ref) \((\d+)", self.printed(each, "tags"), re.M) for each in GRAMMARS}
@@ -136,6 +142,8 @@ class TreeSitterTest(unittest.TestCase):
         self.assertEqual([row for row in rows["dinplus"] if row[1] != "section"],
                          [("shaft.nc", "module", "def", "0"), ('"CHAMFER"', "call", "ref", "6"), ('"CHAMFER"', "function", "def", "8")])
         self.assertEqual([row[0] for row in rows["dinplus"] if row[1] == "section"], ["PROGRAM HEAD", "MACHINING", "SUBPROGRAM", "END"])
+        self.assertEqual(rows["sinumerik"], [("DRILL_ROW", "call", "ref", "6"), ("L20", "call", "ref", "8"), ("DONE_:", "label", "def", "9"),
+                                             ("DRILL_ROW", "function", "def", "12")])
 
 
 if __name__ == "__main__":

@@ -12,6 +12,7 @@
 #include <gtest/gtest.h>
 
 extern "C" const TSLanguage* tree_sitter_dinplus(void);
+extern "C" const TSLanguage* tree_sitter_sinumerik(void);
 
 namespace maclint {
 namespace {
@@ -84,6 +85,10 @@ TEST(FanucGrammar, AllCasesOfItsCorpusParseAsWritten) {
 
 TEST(DinPlusGrammar, AllCasesOfItsCorpusParseAsWritten) {
     expect_all_cases(tree_sitter_dinplus, MACLINT_SOURCE_DIR "/grammar/dinplus/test/corpus");
+}
+
+TEST(SinumerikGrammar, AllCasesOfItsCorpusParseAsWritten) {
+    expect_all_cases(tree_sitter_sinumerik, MACLINT_SOURCE_DIR "/grammar/sinumerik/test/corpus");
 }
 
 TEST(FanucGrammar, EveryKindAndFieldThatLoweringNamesExists) {
