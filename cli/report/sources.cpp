@@ -13,7 +13,7 @@ struct SourceRow {
 };
 
 // clang-format off
-constexpr std::array<SourceRow, 117> rows{{
+constexpr std::array<SourceRow, 135> rows{{
     {"SEED-001",
      "Joni Nieminen, Parametriohjelmointi FANUC 21i-MB -ohjauksessa, thesis, Tampere 2005: macro "
      "programming on a FANUC 21i-MB, with programs that were run on the machine. Lines of its text"},
@@ -299,6 +299,50 @@ constexpr std::array<SourceRow, 117> rows{{
      "SZGH-CNC1000MDb, a FANUC look-alike, user manual, page 54: tool offset with G45 to G48"},
     {"IMD-UI",
      "Article of the same forum: interface signals of FANUC, #1000 to #1015 and #1100 to #1115"},
+    {"SEED-004",
+     "Article in Slovenian on programming of the SINUMERIK 840D. Lines of its text"},
+    {"NCP19",
+     "Siemens, SINUMERIK ONE, 840D sl, 828D, NC programming, programming manual 12/2019, "
+     "6FC5398-2EP40-0BA0, the page of that number"},
+    {"NCP23",
+     "The same manual in German, 01/2023, A5E48764001A, the page of that number"},
+    {"JP06",
+     "Siemens, SINUMERIK 840D, programming manual, job planning, 03/2006, the page of that number"},
+    {"JP10",
+     "Siemens, SINUMERIK 828D, programming manual, job planning, 07/2010, 6FC5398-2BP40-0BA0, the page "
+     "of that number"},
+    {"JP11",
+     "Siemens, SINUMERIK 840D sl, 828D, programming manual, job planning, in German, 02/2011, the page "
+     "of that number"},
+    {"PGA",
+     "Siemens, SINUMERIK 840D, programming guide, advanced, 04/2000, the page of that number"},
+    {"FUND04",
+     "Siemens, SINUMERIK 840D, programming guide, fundamentals, 10/2004, the page of that number"},
+    {"FUND06",
+     "Siemens, SINUMERIK 840Di sl, programming manual, fundamentals, 11/2006, the page of that number"},
+    {"BF11",
+     "Siemens, SINUMERIK 840D sl, 828D, function manual, basic functions, 09/2011, the page of that "
+     "number"},
+    {"K2",
+     "Siemens, SINUMERIK 840D, description of functions, axes, coordinate systems and frames (K2), "
+     "08/2005, the page of that number"},
+    {"T808",
+     "Siemens, SINUMERIK 808D, programming and operating manual, turning, 01/2017, the page of that "
+     "number"},
+    {"O802",
+     "Siemens, SINUMERIK 802D sl, operation and programming, nibbling, 06/2006, the page of that number"},
+    {"MD",
+     "Siemens, SINUMERIK 840D sl, descriptions of the machine data, 05/2017, the number of the datum"},
+    {"SV",
+     "Siemens, SINUMERIK 840D sl, list of the system variables, 05/2017"},
+    {"HLS",
+     "Vocabulary and syntax tests of a public editor package for SINUMERIK, "
+     "github.com/deathaxe/sublime-s840d"},
+    {"NCI",
+     "Public interpreter of SINUMERIK programs, its tables and tests, which cite the manual, "
+     "github.com/CEAD-group/nc-gcode-interpreter"},
+    {"SCYC",
+     "Public copy of cycles as Siemens delivered them before SINUMERIK Operate"},
     {"T",
      "Experience of those who wrote the rule. No document at hand confirms it; a correction with a "
      "document is welcome"},

@@ -1,0 +1,94 @@
+//! The rows of the cycles.
+#include "analyzer/dialect/sinumerik/cycles.hpp"
+
+#include "analyzer/dialect/characters.hpp"
+
+#include <algorithm>
+#include <iterator>
+
+namespace maclint::sinumerik {
+namespace {
+
+using enum CycleUse;
+
+// Names: HLS. What they are for: T. Counts of places: public programs.
+// clang-format off
+constexpr CycleRow rows[] = {
+    {"CYCLE4071", grinding, "a grinding stroke",                   "", "", ""},
+    {"CYCLE4072", grinding, "a grinding stroke",                   "", "", ""},
+    {"CYCLE4073", grinding, "a grinding stroke",                   "", "", ""},
+    {"CYCLE4074", grinding, "a grinding stroke",                   "", "", ""},
+    {"CYCLE4075", grinding, "a grinding stroke",                   "", "", ""},
+    {"CYCLE4077", grinding, "a grinding stroke",                   "", "", ""},
+    {"CYCLE4078", grinding, "a grinding stroke",                   "", "", ""},
+    {"CYCLE4079", grinding, "a grinding stroke",                   "", "", ""},
+    {"CYCLE435",  grinding, "position of the dresser",             "", "", ""},
+    {"CYCLE495",  grinding, "dressing to a contour",               "", "", ""},
+    {"CYCLE60",   milling,  "engraving",                           "", "", ""},
+    {"CYCLE61",   milling,  "a face",                              "", "16", ""},
+    {"CYCLE62",   contour,  "the contour",                         "", "4", ""},
+    {"CYCLE63",   milling,  "a contour or pocket",                 "", "26", ""},
+    {"CYCLE64",   milling,  "holes before a contour pocket",       "", "", ""},
+    {"CYCLE70",   milling,  "a thread",                            "", "", ""},
+    {"CYCLE72",   milling,  "a path",                              "", "", ""},
+    {"CYCLE750",  other,    "",                                    "", "", ""},
+    {"CYCLE751",  other,    "",                                    "", "", ""},
+    {"CYCLE752",  other,    "",                                    "", "", ""},
+    {"CYCLE753",  other,    "",                                    "", "", ""},
+    {"CYCLE754",  other,    "",                                    "", "", ""},
+    {"CYCLE755",  other,    "",                                    "", "", ""},
+    {"CYCLE756",  other,    "",                                    "", "", ""},
+    {"CYCLE757",  other,    "",                                    "", "", ""},
+    {"CYCLE758",  other,    "",                                    "", "", ""},
+    {"CYCLE759",  other,    "",                                    "", "", ""},
+    {"CYCLE76",   milling,  "a rectangular spigot",                "", "", ""},
+    {"CYCLE77",   milling,  "a round spigot",                      "", "", ""},
+    {"CYCLE78",   milling,  "a hole and its thread",               "", "", ""},
+    {"CYCLE79",   milling,  "a polygon",                           "", "", ""},
+    {"CYCLE800",  setting,  "swivelled plane",                     "", "0 16", ""},
+    {"CYCLE801",  pattern,  "a grid or frame of positions",        "_SPCA _SPCO _STA _DIS1 _DIS2 _NUM1 _NUM2", "7", "SCYC"},
+    {"CYCLE802",  pattern,  "positions",                           "", "23", ""},
+    {"CYCLE81",   drilling, "centring",                            "RTP RFP SDIS DP DPR", "5 9", "SCYC"},
+    {"CYCLE82",   drilling, "holes",                               "RTP RFP SDIS DP DPR DTB", "6 9 14", "SCYC"},
+    {"CYCLE83",   drilling, "deep holes",                          "RTP RFP SDIS DP DPR FDEP FDPR DAM DTB DTS FRF VARI _AXN _MDEP _VRT _DTD _DIS1", "20", "SCYC"},
+    {"CYCLE830",  drilling, "deep holes, newer",                   "", "", ""},
+    {"CYCLE832",  setting,  "speed or accuracy of the path",       "", "", ""},
+    {"CYCLE84",   drilling, "tapping",                             "RTP RFP SDIS DP DPR DTB SDAC MPIT PIT POSS SST SST1 _AXN _PTAB _TECHNO _VARI _DAM _VRT", "24", "SCYC"},
+    {"CYCLE840",  drilling, "tapping with a compensating chuck",   "", "", ""},
+    {"CYCLE85",   drilling, "reaming",                             "RTP RFP SDIS DP DPR DTB FFR RFF", "", "SEED-004:504, T"},
+    {"CYCLE86",   drilling, "boring",                              "", "14", ""},
+    {"CYCLE899",  milling,  "an open slot",                        "", "", ""},
+    {"CYCLE92",   turning,  "parting off",                         "", "17", ""},
+    {"CYCLE930",  turning,  "a groove",                            "", "26", ""},
+    {"CYCLE940",  turning,  "an undercut",                         "", "22", ""},
+    {"CYCLE95",   turning,  "a contour, older",                    "", "", ""},
+    {"CYCLE951",  turning,  "a corner",                            "", "19", ""},
+    {"CYCLE952",  turning,  "a contour",                           "", "33 34", ""},
+    {"CYCLE98",   turning,  "a chain of threads",                  "", "", ""},
+    {"CYCLE99",   turning,  "a thread",                            "", "29", ""},
+    {"HOLES1",    pattern,  "a row of positions",                  "SPCA SPCO STA1 FDIS DBH NUM", "6 11", "SCYC"},
+    {"HOLES2",    pattern,  "a circle of positions",               "CPA CPO RAD STA1 INDA NUM", "6 11", "SCYC"},
+    {"LONGHOLE",  milling,  "long holes on a circle",              "", "", ""},
+    {"POCKET3",   milling,  "a rectangular pocket",                "", "29", ""},
+    {"POCKET4",   milling,  "a round pocket",                      "", "25", ""},
+    {"SLOT1",     milling,  "slots",                               "", "31", ""},
+    {"SLOT2",     milling,  "slots along a circle",                "", "", ""},
+};
+// clang-format on
+static_assert(std::ranges::is_sorted(rows, {}, &CycleRow::name));
+
+} // namespace
+
+const CycleRow* find_cycle(std::string_view capitals) {
+    const auto* row = std::ranges::lower_bound(rows, capitals, {}, &CycleRow::name);
+    return row != std::end(rows) && row->name == capitals ? row : nullptr;
+}
+
+bool is_cycle_name(std::string_view capitals) {
+    constexpr std::string_view stem = "CYCLE";
+    if (find_cycle(capitals) != nullptr) return true;
+    return capitals.size() > stem.size() && capitals.starts_with(stem) &&
+           std::ranges::all_of(capitals.substr(stem.size()), is_digit);
+}
+
+} // namespace maclint::sinumerik

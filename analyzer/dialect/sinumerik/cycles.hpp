@@ -1,0 +1,41 @@
+//! The cycles that the control brings.
+#pragma once
+
+#include <cstdint>
+#include <string_view>
+
+namespace maclint::sinumerik {
+
+enum class CycleUse : std::uint8_t {
+    drilling, ///< one position, or with MCALL each of those that follow
+    pattern,  ///< positions for the cycle that MCALL names
+    milling,
+    turning,
+    grinding,
+    contour, ///< names a contour for the next cycle
+    setting, ///< turns the frame or sets modes for what follows
+    other,
+};
+
+struct CycleRow {
+    std::string_view name; ///< capitals
+    CycleUse use;
+    std::string_view what; ///< "deep holes"
+    /// The parameters before SINUMERIK Operate, blanks between them; empty: no list is known.
+    std::string_view older_parameters;
+    /// How many places calls in programs had, blanks between the counts. Versions differ: these are no
+    /// limits.
+    std::string_view places_seen;
+    std::string_view source; ///< of the parameters
+};
+
+/// Nothing for a cycle without a row, of which is_cycle_name() may still know.
+[[nodiscard]] const CycleRow* find_cycle(std::string_view capitals);
+/// Whether the name is a cycle's: it has a row, or is CYCLE and digits, which is kept for Siemens
+/// [FUND04 p.60].
+[[nodiscard]] bool is_cycle_name(std::string_view capitals);
+
+/// So many program levels a cycle needs below the one that calls it [NCP19 p.493].
+inline constexpr int cycle_levels = 3;
+
+} // namespace maclint::sinumerik
