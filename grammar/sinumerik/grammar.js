@@ -99,7 +99,7 @@ module.exports = grammar({
       field('right', choice($._expression, $.value_list))),
     _target: $ => choice(
       alias($._literal_word, $.numbered_address), alias($.program_number, $.numbered_address), alias($._letter, $.address),
-      $.indexed_address, $.name, $.indexed_name, $.system_variable, $.foreign_variable),
+      $.indexed_address, $.name, $.malformed_name, $.indexed_name, $.system_variable, $.foreign_variable),
     value_list: $ => seq($._open, optional($._expression), repeat1(seq(',', optional($._expression))), ')'),
 
     // A name alone: a G command (`SUPA`), a procedure (`STOPRE`), a macro, or the call of a program.
@@ -137,7 +137,7 @@ module.exports = grammar({
     declarator: $ => seq(
       field('name', $._declared_name), optional(field('size', $.index_list)),
       optional(seq('=', field('value', choice($._expression, $.value_list))))),
-    _declared_name: $ => choice($.name, $.axis_name, alias($._r_number, $.axis_name)),
+    _declared_name: $ => choice($.name, $.malformed_name, $.axis_name, alias($._r_number, $.axis_name)),
 
     redefinition: $ => prec.right(seq(
       keyword('REDEF'), field('name', choice($.name, $.system_variable)),
@@ -228,7 +228,7 @@ module.exports = grammar({
     // Expressions
     _expression: $ => choice(
       $.number, $.based_number, $.string, $.unclosed_string, $.typographic_string,
-      $.name, $.r_parameter, $.axis_name, $.indexed_name, alias($._indexed_axis, $.indexed_address), $.system_variable, $.foreign_variable,
+      $.name, $.malformed_name, $.r_parameter, $.axis_name, $.indexed_name, alias($._indexed_axis, $.indexed_address), $.system_variable, $.foreign_variable,
       $.parenthesis, $.square_parenthesis, $.function_call, $.unary, $.binary, $.logical, $.comparison, $.concatenation, $.frame_chain),
 
     number: $ => token(new RegExp(digits)),
@@ -294,6 +294,8 @@ module.exports = grammar({
 
     // Two letters or _ come first, so that no word of a letter and a number is a name.
     name: $ => /[A-Za-z_][A-Za-z_][A-Za-z0-9_]*/,
+    // `D1_FAST`
+    malformed_name: $ => /[A-MO-Za-mo-z][0-9]+_[A-Za-z0-9_]*/,
     // An axis, or a parameter of one letter.
     axis_name: $ => token(/[A-Za-z][0-9]*/),
   },

@@ -1,6 +1,6 @@
 ; Colours for editors.
 (comment) @comment
-[(remark) (foreign_comment) (malformed_word) (unassigned_word) (empty_word) (equality_sign) (assignment_sign) (foreign_operator)
+[(remark) (foreign_comment) (malformed_word) (malformed_name) (unassigned_word) (empty_word) (equality_sign) (assignment_sign) (foreign_operator)
  (foreign_variable) (foreign_keyword) (then_statement) (unclosed_string) (typographic_string) (square_parenthesis)] @error
 
 (program_mark) @module
