@@ -17,6 +17,7 @@ BAD = "%\nO1001\nG0 X1.\nGOTO 99\nM30\n%\n"
 INSTALLED = ["share/man/man1/maclint.1", "share/bash-completion/completions/maclint", "share/zsh/site-functions/_maclint",
              "share/fish/vendor_completions.d/maclint.fish", "share/maclint/maclint.schema.json",
              "share/maclint/grammars/fanuc/queries/highlights.scm", "share/maclint/grammars/dinplus/queries/highlights.scm",
+             "share/maclint/grammars/sinumerik/queries/highlights.scm",
              "share/doc/maclint/LICENSE"] + [f"share/doc/maclint/licences/{name}.txt" for name in
                                              ("cli11", "nlohmann-json", "tree-sitter", "libstdc++", "glibc")]
 
