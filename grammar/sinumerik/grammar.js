@@ -70,7 +70,7 @@ module.exports = grammar({
     main_block_number: $ => /:[ \t&]*[0-9]+/,
     // The colon of a Chinese keyboard (U+FF1A) is no colon. Where a blank stands before it, the name is a child.
     label: $ => choice($._label, seq($.name, choice(':', '\uFF1A'))),
-    _label: $ => /([A-MO-Za-mo-z_][A-Za-z0-9_]*|[Nn][A-Za-z_][A-Za-z0-9_]*)[:\uFF1A]/,
+    _label: $ => /([A-MO-Za-mo-z_][A-Za-z0-9_\u00C0-\u024F]*|[Nn][A-Za-z_][A-Za-z0-9_\u00C0-\u024F]*)[:\uFF1A]/,
 
     _content: $ => choice($._any_word, $._statement, $.remark),
 
@@ -103,7 +103,7 @@ module.exports = grammar({
     value_list: $ => seq($._open, optional($._expression), repeat1(seq(',', optional($._expression))), ')'),
 
     // A name alone: a G command (`SUPA`), a procedure (`STOPRE`), a macro, or the call of a program.
-    command: $ => prec(-1, field('name', $.name)),
+    command: $ => prec(-1, field('name', choice($.name, $.malformed_name))),
     indexed_command: $ => prec(-1, choice($.indexed_name, $.indexed_address)),
     call: $ => prec(1, seq(field('name', choice($.name, $.program_number)), field('arguments', $.argument_list))),
 
@@ -294,8 +294,9 @@ module.exports = grammar({
 
     // Two letters or _ come first, so that no word of a letter and a number is a name.
     name: $ => /[A-Za-z_][A-Za-z_][A-Za-z0-9_]*/,
-    // `D1_FAST`
-    malformed_name: $ => /[A-MO-Za-mo-z][0-9]+_[A-Za-z0-9_]*/,
+    // `D1_FAST`, `LÄNGE`
+    malformed_name: $ => token(choice(
+      /[A-MO-Za-mo-z][0-9]+_[A-Za-z0-9_]*/, /[A-Za-z_][A-Za-z0-9_]*[\u00C0-\u024F][A-Za-z0-9_\u00C0-\u024F]*/)),
     // An axis, or a parameter of one letter.
     axis_name: $ => token(/[A-Za-z][0-9]*/),
   },
