@@ -215,8 +215,8 @@ void Stepper::store_at(const StoreAt& target, Content content) {
 void Stepper::set_modal(const SetModal& set) {
     const Content content = take(set.value);
     if (done() || !content) return; // a word with a vacant variable is ignored [SEED-001:187-195]
-    const std::optional<GroupId> stated = set.group ? set.group : control().group_of(set.letter, *content);
-    if (stated) set_group(*stated, content);
+    if (set.group) return set_group(*set.group, content);
+    if (const auto member = control().member_of(set.letter, *content)) set_group(member->group, member->code);
 }
 
 void Stepper::set_group(GroupId changed, Content content) {

@@ -24,6 +24,9 @@ struct CallKind {
     double modal_code; ///< the code in force in the modal-call group while it acts; 0 for a call made once
     std::string_view source;
     LookupScope lookup = LookupScope::everywhere;
+    /// Where no program has the name the control brings one: it moves, and leaves variables and modal groups
+    /// as they are.
+    bool brought_by_control = false;
 };
 
 } // namespace maclint

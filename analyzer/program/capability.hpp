@@ -16,6 +16,7 @@ enum class Capability : std::uint8_t {
     jumps,               ///< programs jump to blocks
     sequence_numbers,    ///< programs name blocks by their numbers
     block_if,            ///< IF … THEN opens blocks up to ELSE or ENDIF
+    paired_words,        ///< loops and choices pair by nesting, each with a closing word of its own
     block_references,    ///< words name blocks of certain sections
     macro_calls,         ///< calls that count against a limit of their own
     modal_calls,         ///< programs called after every move or block

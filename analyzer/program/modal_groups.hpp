@@ -3,6 +3,7 @@
 
 #include "analyzer/program/ids.hpp"
 
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <span>
@@ -12,16 +13,28 @@
 namespace maclint {
 
 /// A member of a modal group: the number that the state holds, and how it is written where that is not the
-/// group's letter and the number (DIAMON).
+/// group's letter and the number: DIAMON, or G18, which is the second member of its group.
 struct ModalMember {
     constexpr ModalMember(
         double member_number) // NOLINT(google-explicit-constructor): tables are lists of them
-        : number(member_number) {}
+        : number(member_number)
+        , written_code(member_number) {}
     constexpr ModalMember(double member_number, std::string_view written)
         : number(member_number)
-        , spelling(written) {}
+        , spelling(written)
+        , written_code(code_in(written)) {}
     double number;
     std::string_view spelling = {};
+    double written_code; ///< behind the group's letter; -1: it is written as a name
+
+  private:
+    static constexpr double code_in(std::string_view written) {
+        constexpr double ten = 10;
+        double code = written.size() < 2 ? -1 : 0;
+        for (std::size_t i = 1; i < written.size() && code >= 0; ++i)
+            code = written[i] >= '0' && written[i] <= '9' ? code * ten + (written[i] - '0') : -1;
+        return code;
+    }
 };
 
 /// What a modal group is about, in every language; a control has at most one group of each role but `other`.

@@ -45,6 +45,11 @@ ControlModel checked(ControlModel control) {
                                std::to_string(control.switches.size()) +
                                " switches, and the analysis has room for " + std::to_string(most_switches) +
                                ": raise most_switches");
+    if (control.groups.size() > syntax::most_groups)
+        throw std::logic_error("the control '" + control.name + "' has " +
+                               std::to_string(control.groups.size()) +
+                               " modal groups, and the plain lane has room for " +
+                               std::to_string(syntax::most_groups) + ": raise most_groups");
     control.ended_groups.clear();
     for (std::size_t group = 0; group < control.groups.size(); ++group) {
         const ModalGroup& row = control.groups[group];
@@ -77,6 +82,7 @@ bool ControlModel::has(Capability capability) const {
     case Capability::jumps: return loops_left_by_jump; // the one thing that a table tells of them
     case Capability::sequence_numbers: return loops_left_by_jump || !references.empty();
     case Capability::block_if: return has_block_if;
+    case Capability::paired_words: return !region_words.empty();
     case Capability::block_references: return !references.empty();
     case Capability::macro_calls: return limits.macro_calls != 0;
     case Capability::modal_calls:
@@ -101,14 +107,19 @@ std::optional<GroupId> ControlModel::group_with(ModalRole role) const {
     return maclint::group_with(role, groups);
 }
 
-std::optional<GroupId> ControlModel::group_of(char letter, double code) const {
+std::optional<GroupCode> ControlModel::member_of(char letter, double code) const {
     for (std::size_t i = 0; i < groups.size(); ++i) {
         const ModalGroup& group = groups[i];
-        if (group.letter == letter &&
-            std::ranges::find(group.members, code, &ModalMember::number) != group.members.end())
-            return static_cast<GroupId>(i);
+        if (group.letter != letter) continue;
+        const auto member = std::ranges::find(group.members, code, &ModalMember::written_code);
+        if (member != group.members.end()) return GroupCode{static_cast<GroupId>(i), member->number};
     }
     return std::nullopt;
+}
+
+std::optional<GroupId> ControlModel::group_of(char letter, double code) const {
+    const auto member = member_of(letter, code);
+    return member ? std::optional(member->group) : std::nullopt;
 }
 
 std::string ControlModel::spell(GroupId group, double code) const {

@@ -3,6 +3,7 @@
 
 #include "analyzer/program/ids.hpp"
 #include "analyzer/program/names.hpp"
+#include "analyzer/program/region_kind.hpp"
 #include "analyzer/program/syntax_error.hpp"
 #include "analyzer/program/variable.hpp"
 #include "analyzer/source/source.hpp"
@@ -177,20 +178,6 @@ struct Reference {
     ReferenceKindId kind;
     ExpressionId block;
 };
-
-enum class RegionKind : std::uint8_t {
-    while_loop,
-    endless_loop,
-    choice,
-    selection,
-    unit,
-    counting_loop, ///< FOR: its start value is stored before it opens, its step before it closes
-    until_loop,    ///< REPEAT: the condition stands at its close and ends it
-};
-[[nodiscard]] constexpr bool is_loop(RegionKind region_kind) {
-    return region_kind == RegionKind::while_loop || region_kind == RegionKind::endless_loop ||
-           region_kind == RegionKind::counting_loop || region_kind == RegionKind::until_loop;
-}
 
 /// Opens, divides or closes a construct. In a language whose loops have numbers, a number pairs open and
 /// close.

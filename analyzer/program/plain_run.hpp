@@ -31,7 +31,7 @@ class PlainRunTotals {
         }
         for (const ModalSetting& setting : block.settings()) {
             last_[setting.group] = {setting.value, ++set_};
-            touched_ |= std::uint64_t{1} << setting.group;
+            touched_.add(setting.group);
         }
     }
     [[nodiscard]] bool empty() const { return run_.blocks == 0; }
@@ -74,9 +74,9 @@ class PlainRunTotals {
         double value;
         std::uint32_t at; ///< so many settings came before or are this one
     };
-    std::uint64_t touched_ = 0; ///< bit n: group n is set
+    syntax::GroupSet touched_;
     std::uint32_t set_ = 0;
-    std::array<Last, 64> last_{};
+    std::array<Last, syntax::most_groups> last_{};
     std::size_t kinds_ = 0; ///< of codes
     std::array<CodeWords, most_kinds> beside_{};
 };

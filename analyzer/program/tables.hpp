@@ -6,6 +6,7 @@
 #include "analyzer/program/capability.hpp"
 #include "analyzer/program/ids.hpp"
 #include "analyzer/program/modal_groups.hpp"
+#include "analyzer/program/region_kind.hpp"
 #include "analyzer/program/section_kinds.hpp"
 #include "analyzer/program/switches.hpp"
 #include "analyzer/program/variable.hpp"
@@ -96,6 +97,12 @@ enum class Contradiction : std::uint8_t {
     forbidden,   ///< the language has no such block
 };
 
+/// The words that open and close a construct: "FOR" and "ENDFOR".
+struct RegionWords {
+    RegionKind region_kind;
+    std::string_view open, close;
+};
+
 /// Everything that the analysis knows about a control; built once, shared by all programs of that control.
 struct ControlModel {
     std::string name;          ///< "fanuc-16i"; what --control takes
@@ -107,7 +114,13 @@ struct ControlModel {
     /// Of a mill: the same control on lathes, for texts that are written for one. Of a lathe, those whose
     /// system a text can show. Empty: there are none, or nobody wants them.
     std::vector<const ControlModel*> lathes = {};
-    bool has_block_if = false;    ///< IF … THEN opens blocks up to ELSE or ENDIF; if not, no text has them
+    bool has_block_if = false; ///< IF … THEN opens blocks up to ELSE or ENDIF; if not, no text has them
+    /// Constructs that pair by nesting, each with a word of its own that closes it; empty: numbers pair
+    /// them, or the sections of the language have rules of their own for it.
+    std::vector<RegionWords> region_words = {};
+    /// Codes of the rules that were held against programs of the language, sorted; empty: all that have what
+    /// they need.
+    std::span<const std::string_view> rules_tried = {};
     bool assumed;                 ///< nobody named the control: messages say that its limits are assumed
     std::string_view alarms;      ///< the list that numbers its alarms, as rules name it; empty: none known
     std::string_view return_word; ///< leads back to the caller: "M99"
@@ -159,6 +172,8 @@ struct ControlModel {
     [[nodiscard]] const ControlModel* lathe_of(char system) const;
     /// The group of that role, or nothing.
     [[nodiscard]] std::optional<GroupId> group_with(ModalRole role) const;
+    /// What a code of `letter` sets its group to, or nothing.
+    [[nodiscard]] std::optional<GroupCode> member_of(char letter, double code) const;
     /// The group that a code of `letter` sets, or nothing.
     [[nodiscard]] std::optional<GroupId> group_of(char letter, double code) const;
     /// The letter of a call that reaches the variable; nothing where there is none.

@@ -268,7 +268,8 @@ class PlainScanner {
         codes_.add(found.kind);
         conflicts_ |= (exclusive_ & found.exclusive) != 0;
         exclusive_ |= found.exclusive;
-        return found.group == no_group || set(found.group, scaled(mantissa_, decimals_));
+        if (found.group == no_group) return true;
+        return set(found.group, found.member != 0 ? found.member : scaled(mantissa_, decimals_));
     }
 
     bool group_value(Row row) {
@@ -290,9 +291,7 @@ class PlainScanner {
 
     bool set(std::uint8_t group, double value) {
         if (block_.settings_count == PlainBlock::most_settings) return false;
-        const std::uint64_t bit = std::uint64_t{1} << group;
-        conflicts_ |= (groups_ & bit) != 0;
-        groups_ |= bit;
+        conflicts_ |= groups_.add(group);
         block_.settings_memory[block_.settings_count++] = {group, value};
         return true;
     }
@@ -309,7 +308,7 @@ class PlainScanner {
     const char* first_ = nullptr;
     const char* last_ = nullptr;
     std::uint64_t mantissa_ = 0;
-    std::uint64_t groups_ = 0;
+    GroupSet groups_;
     std::uint32_t exclusive_ = 0;
     AddressSet addresses_;
     AddressSet repeated_;

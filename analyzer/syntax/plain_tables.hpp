@@ -101,6 +101,36 @@ struct Setting {
     double value;
 };
 constexpr std::uint8_t no_group = UINT8_MAX;
+/// The plain lane has room for so many groups.
+constexpr std::size_t most_groups = 128;
+
+/// Modal groups, by their numbers below `most_groups`.
+class GroupSet {
+  public:
+    /// Whether the group was there before.
+    constexpr bool add(std::uint8_t group) {
+        std::uint64_t& half = halves_[group / half_size];
+        const std::uint64_t bit = std::uint64_t{1} << group % half_size;
+        const bool was_there = (half & bit) != 0;
+        half |= bit;
+        return was_there;
+    }
+    [[nodiscard]] constexpr std::size_t size() const {
+        return static_cast<std::size_t>(std::popcount(halves_[0]) + std::popcount(halves_[1]));
+    }
+    /// From the lowest number on.
+    template<class Visit>
+    constexpr void for_each(const Visit& visit) const {
+        for (std::size_t i = 0; i < halves_.size(); ++i)
+            for (std::uint64_t left = halves_[i]; left != 0; left &= left - 1)
+                visit(static_cast<std::uint8_t>(i * half_size +
+                                                static_cast<std::size_t>(std::countr_zero(left))));
+    }
+
+  private:
+    static constexpr std::size_t half_size = 64;
+    std::array<std::uint64_t, most_groups / half_size> halves_{};
+};
 
 /// What codes mean for the words beside them, as bits that add up; the upper ones belong to the dialect: a
 /// block in which a code and a value have one in common is not plain.
@@ -138,6 +168,7 @@ struct PlainCode {
     CodeSet::Kind kind = 0;
     /// A bit for codes of which a block may hold one, whatever they set; 0: it may hold any number.
     std::uint32_t exclusive = 0;
+    std::uint8_t member = 0; ///< what the group holds then; 0: the code as it is written
 };
 
 /// The codes of an address.

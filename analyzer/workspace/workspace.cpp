@@ -199,11 +199,13 @@ class WorkspaceBuilder {
         if (callee.formals.empty()) return references;
         for (const Argument& argument : caller.arguments_of(call)) {
             const auto formal = bound_to(argument, &callee);
-            const auto* load = std::get_if<Load>(&caller.expressions[argument.value].node);
-            if (!formal || load == nullptr) continue;
+            const auto& given = caller.expressions[argument.value].node;
+            const bool is_variable =
+                std::holds_alternative<Load>(given) || std::holds_alternative<LoadAt>(given);
+            if (!formal || !is_variable) continue;
             const auto declared = std::ranges::find(callee.formals, *formal, &Formal::variable);
             if (declared != callee.formals.end() && declared->passing == Passing::by_reference)
-                references.push_back({*formal, load->variable});
+                references.push_back({*formal, argument.value});
         }
         return references;
     }

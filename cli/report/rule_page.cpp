@@ -44,6 +44,8 @@ std::string_view words_for(Capability capability) {
     case Capability::jumps: return "programs jump to blocks";
     case Capability::sequence_numbers: return "programs name blocks by their numbers";
     case Capability::block_if: return "IF opens blocks up to ELSE or ENDIF";
+    case Capability::paired_words:
+        return "loops and choices have closing words of their own, such as ENDIF and ENDFOR";
     case Capability::block_references: return "words name blocks of certain sections";
     case Capability::macro_calls: return "macro calls have a limit of their own";
     case Capability::modal_calls: return "programs can be called after every move or block";

@@ -28,6 +28,11 @@ const ControlModel& control_with_names() {
         diameter.members = {{1, "DIAMOF"}, {2, "DIAMON"}};
         model.groups = {diameter};
         model.calls = {{"call by name", Frame::fresh, NestingLimit::subprogram, CallTrigger::once, 0, ""}};
+        VariableRange parameters{};
+        parameters.last = 99;
+        parameters.meaning = Meaning::variable;
+        parameters.space = rows::r;
+        model.families = {{"R", {parameters}}};
         model.loops_left_by_jump = true;
         return model;
     }();
@@ -65,6 +70,9 @@ Variable HandBuilt::formal(std::string_view name, VariableType type, Passing pas
 
 ExpressionId HandBuilt::number(double value) { return builder_.literal(value, {}); }
 ExpressionId HandBuilt::load(Variable variable) { return builder_.add({Load{variable}, {}}); }
+ExpressionId HandBuilt::load_at(ExpressionId index) {
+    return builder_.add({LoadAt{rows::r_family, index}, {}});
+}
 ExpressionId HandBuilt::name(std::string_view label) {
     return builder_.add({builder_.block_name(label), {}});
 }

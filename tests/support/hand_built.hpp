@@ -23,6 +23,7 @@ namespace rows {
 constexpr SpaceId r = 0, local = 1, parameter = 2, shared = 3;
 constexpr GroupId diameter = 0;
 constexpr CallKindId by_name = 0;
+constexpr FamilyId r_family = 0;
 } // namespace rows
 
 /// An effect of a block, perhaps under a condition: `IF … GOTOF …`.
@@ -52,6 +53,8 @@ class HandBuilt {
     // ---- expressions
     [[nodiscard]] ExpressionId number(double value);
     [[nodiscard]] ExpressionId load(Variable variable);
+    /// R[…]
+    [[nodiscard]] ExpressionId load_at(ExpressionId index);
     [[nodiscard]] ExpressionId name(std::string_view label);
     [[nodiscard]] ExpressionId apply(Operation operation, std::initializer_list<ExpressionId> operands);
 

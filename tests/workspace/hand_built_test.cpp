@@ -282,6 +282,20 @@ TEST(Parameters, WhatIsStoredInAReferenceIsStoredInTheCallersVariable) {
     EXPECT_EQ(value_read(main, calling.n, 5).constant(), 5); // 5.4 in an INT
 }
 
+TEST(Parameters, WhatIsStoredInAReferenceIsStoredInTheVariableThatAnIndexNames) {
+    HandBuilt built("MAIN.MPF", "R5=1 R1=5\nP(0,R[R1])\nR2=R5\nM30\n");
+    const Variable r1{rows::r, 1};
+    const Variable r5{rows::r, 5};
+    built.block({Assign{r5, built.number(1)}, Assign{r1, built.number(5)}});
+    built.block({built.call(
+        "P", {{ArgumentPosition{0}, built.number(0), "", {}, Passing::as_declared},
+              {ArgumentPosition{1}, built.load_at(built.load(r1)), "", {}, Passing::as_declared}})});
+    built.block({Assign{Variable{rows::r, 2}, built.load(r5)}});
+    built.block({Stop{Stop::Kind::end, std::nullopt}});
+    const auto workspace = analyse({built.finish(), procedure()});
+    EXPECT_FALSE(value_read(program(*workspace, "MAIN"), r5, 3).constant());
+}
+
 TEST(Parameters, ArgumentsCanBeGivenByName) {
     Calling calling = caller("P", {std::string_view("A"), std::string_view("B")});
     const auto workspace = analyse({calling.file, procedure()});

@@ -68,9 +68,11 @@ struct Summary {
     std::optional<std::vector<std::string>> written_for_callers;
 };
 
-/// A variable of the caller that is a parameter of the callee: what is stored in one is stored in the other.
+/// A variable of the caller, or one that an index names, that is a parameter of the callee: what is stored in
+/// one is stored in the other.
 struct PassedReference {
-    Variable formal, variable;
+    Variable formal;
+    ExpressionId value; ///< a Load or LoadAt of the caller
 };
 
 /// What a call runs.

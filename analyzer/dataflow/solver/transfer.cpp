@@ -245,13 +245,17 @@ std::optional<Step> Transfer::step_of(const State& state, Variable variable, Exp
 // ---- modal groups ----
 
 void Transfer::set_modal(State& state, const SetModal& set) {
-    const Value value = evaluate(state, set.value, Use::word);
+    Value value = evaluate(state, set.value, Use::word);
     std::optional<GroupId> group = set.group;
     if (!group) {
         group = states_.table().entry_group_of(value.symbol);
         if (group && program_.control->groups[*group].letter != set.letter) group = std::nullopt;
         if (!group)
-            if (const auto code = value.constant()) group = program_.control->group_of(set.letter, *code);
+            if (const auto code = value.constant())
+                if (const auto member = program_.control->member_of(set.letter, *code)) {
+                    group = member->group;
+                    if (member->code != *code) value = number_value(states_.table(), member->code);
+                }
     }
     if (records<ModalWrite>())
         facts_->add(ModalWrite{node_, effect_, group, set.group.has_value(), set.value, value});
@@ -404,6 +408,7 @@ void Transfer::run_program(State& state, EffectId id, const Call& call) {
         return;
     }
     if (!summary.known) {
+        if (program_.control->calls[call.kind].brought_by_control) return;
         clobber_passed(state, call);
         return run_unknown_program(state, shared_frame);
     }
@@ -426,8 +431,13 @@ void Transfer::run_program(State& state, EffectId id, const Call& call) {
         clobber(state, variable, value);
     };
     for (const VariableChange& change : summary.variables) {
-        for (const PassedReference& passed : callee.references)
-            if (passed.formal == change.variable) change_variable(passed.variable, change);
+        for (const PassedReference& passed : callee.references) {
+            if (passed.formal != change.variable) continue;
+            if (const auto* load = std::get_if<Load>(&program_.expressions[passed.value].node))
+                change_variable(load->variable, change);
+            else
+                clobber_referenced(state, passed.value);
+        }
         if (visible(change.variable.space)) change_variable(change.variable, change);
     }
     change_handed_down(state, summary);
@@ -457,13 +467,16 @@ bool Transfer::is_made_to_stop(const Summary& called) const {
 void Transfer::clobber_passed(State& state, const Call& call) {
     for (const Argument& argument : program_.arguments_of(call)) {
         if (argument.passing == Passing::by_value) continue;
-        const auto& node = program_.expressions[argument.value].node;
-        if (const auto* load = std::get_if<Load>(&node))
-            clobber(state, load->variable, opaque_variable(load->variable));
-        else if (const auto* indexed = std::get_if<LoadAt>(&node))
-            clobber_indexed(state, indexed->family, indexed->index,
-                            evaluate(state, indexed->index, Use::index));
+        clobber_referenced(state, argument.value);
     }
+}
+
+void Transfer::clobber_referenced(State& state, ExpressionId passed) {
+    const auto& node = program_.expressions[passed].node;
+    if (const auto* load = std::get_if<Load>(&node))
+        clobber(state, load->variable, opaque_variable(load->variable));
+    else if (const auto* indexed = std::get_if<LoadAt>(&node))
+        clobber_indexed(state, indexed->family, indexed->index, evaluate(state, indexed->index, Use::index));
 }
 
 /// Called programs may change what this program hands down to them, and what was handed down to this program.

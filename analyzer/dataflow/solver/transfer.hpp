@@ -115,6 +115,8 @@ class Transfer {
     void clobber_numbers(State& state, const VariableRange& range, const IndexReach& reach,
                          std::span<const Variable> spared);
     void clobber_passed(State& state, const Call& call);
+    /// What is passed by reference may have changed: a variable, or one that an index names.
+    void clobber_referenced(State& state, ExpressionId passed);
     [[nodiscard]] bool is_ambiguous(Variable variable) const;
     void set_modal(State& state, const SetModal& set);
     void set_group(State& state, GroupId group, const Value& value);
