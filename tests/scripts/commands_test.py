@@ -12,7 +12,7 @@ PAGES = [ROOT / "README.md", ROOT / "action.yml", ROOT / ".pre-commit-hooks.yaml
          *(ROOT / "docs" / name for name in ("use.md", "baseline.md", "editors.md", "install.md", "json.md", "packaging.md")), *ROOT.glob("docs/ci/*")]
 JUMP = "%\nO9100\nGOTO 99\nM30\n%\n"
 # What stands for something of the reader's.
-MEANT = {"[check]": "check", "[PATH...]": ".", "PATH...": ".", "PATH…": ".", "PATH": ".", "[COMMAND]": "check", "[FOLDER]": "--print .", "RULE": "MAC303",
+MEANT = {"[check]": "check", "[PATH...]": ".", "PATH...": ".", "PATH…": ".", "PATH": ".", "[COMMAND]": "check", "[FOLDER]": "--print .", "[NAME]": "haas", "RULE": "MAC303",
          "SHELL": "bash", "FILE": "baseline.json", "REV": "HEAD", "$OPTIONS": "", "$PATHS": ".", "$(FULL_CURRENT_PATH)": "O9100.nc", '"sarif:$REPORT"': "sarif:a.sarif"}
 NAMES = ["O9100.nc", "O9010.nc", "programs/O9100.nc", "D:\\NC programs\\O9010.nc", "\\\\server\\shop\\lathe", "C:\\programs"]
 
