@@ -128,7 +128,8 @@ std::string overview(std::size_t width) {
              in_lower_case(command.text.substr(0, 1)) + std::string(command.text.substr(1))});
     }
     return paragraph("maclint finds in NC programs what the control would only find with the spindle "
-                     "turning.",
+                     "turning. It reads FANUC and its relatives, HEIDENHAIN DIN PLUS, and SIEMENS "
+                     "SINUMERIK.",
                      width) +
            "\n" + help_of(list, width) + "\n";
 }

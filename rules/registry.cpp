@@ -34,6 +34,7 @@
     RULE(decimal_comma)                         /* MAC126 */ \
     RULE(format_of_output)                      /* MAC127 */ \
     RULE(real_time_macro)                       /* MAC128 */ \
+    RULE(assignment_for_comparison)             /* MAC129 */ \
     RULE(assignment_to_null_variable)           /* MAC201 */ \
     RULE(variable_number_out_of_range)          /* MAC202 */ \
     RULE(write_to_read_only_variable)           /* MAC203 */ \
@@ -82,6 +83,7 @@
     RULE(equal_branches)                        /* MAC337 */ \
     RULE(profile_block_missing)                 /* MAC338 */ \
     RULE(branch_falls_through)                  /* MAC339 */ \
+    RULE(region_words_unpaired)                 /* MAC340 */ \
     RULE(call_without_program_number)           /* MAC401 */ \
     RULE(program_not_found)                     /* MAC402 */ \
     RULE(words_before_call)                     /* MAC403 */ \
@@ -111,6 +113,7 @@
     RULE(n_not_first)                           /* MAC465 */ \
     RULE(call_ends_in_alarm)                    /* MAC470 */ \
     RULE(file_and_number_differ)                /* MAC471 */ \
+    RULE(argument_without_parameter)            /* MAC472 */ \
     RULE(modal_state_not_restored)              /* MAC501 */ \
     RULE(compensation_or_transform_left_active) /* MAC502 */ \
     RULE(feed_or_speed_not_restored)            /* MAC503 */ \
@@ -192,6 +195,7 @@
     RULE(redundant_recompute)                   /* MAC720 */ \
     RULE(missing_tolerance)                     /* MAC726 */ \
     RULE(tolerance_inside_abs)                  /* MAC727 */ \
+    RULE(logic_before_comparison)               /* MAC728 */ \
     RULE(block_number_too_long)                  /* DIN004 */ \
     RULE(block_must_be_alone)                    /* DIN008 */ \
     RULE(foreign_comment_style)                  /* DIN013 */ \
@@ -319,6 +323,8 @@ bool equal_without_case(std::string_view a, std::string_view b) {
 std::span<const Rule* const> all_rules() { return list; }
 
 bool applies_to(const Rule& rule, const ControlModel& control) {
+    if (!control.rules_tried.empty() && !std::ranges::binary_search(control.rules_tried, rule.code))
+        return false;
     return std::ranges::all_of(rule.needs, [&](Capability capability) { return control.has(capability); });
 }
 

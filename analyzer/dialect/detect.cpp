@@ -134,6 +134,8 @@ Detection judge(Content content, std::string_view text, const std::string& exten
         return {nullptr, "text of another kind (few lines look like blocks)", true, true};
     if (language == Language::din_plus)
         return {find_dialect("dinplus"), found.evidence.reason(language), false, certain};
+    if (language == Language::sinumerik)
+        return {find_dialect("sinumerik"), found.evidence.reason(language), false, certain};
     if (language != Language::fanuc) return foreign(found.evidence, language);
     if (found.nct_line != 0)
         return {find_dialect("nct"), "an NCT form on line " + std::to_string(found.nct_line), false, certain};
@@ -150,7 +152,7 @@ Detection judge(Content content, std::string_view text, const std::string& exten
 constexpr std::string_view extensions[] = {"nc",  "ncc", "ncf", "cnc", "tap", "ngc", "gcode", "gc",  "g",
                                            "eia", "iso", "pim", "min", "fan", "nct", "mac",   "prg", "pgm",
                                            "sub", "txt", "ncs", "mpf", "spf", "h",   "din",   "dnc", "anc",
-                                           "hnc", "gcd", "ssb", "msb", "ptp", "ncd"};
+                                           "hnc", "gcd", "ssb", "msb", "ptp", "ncd", "cpf",   "arc", "def"};
 
 /// O9100, and with words behind the number: O9010_TORUS.
 bool is_program_name(std::string_view name) {
@@ -207,7 +209,7 @@ bool has_nc_extension(std::string_view path) {
 bool is_worth_a_note(std::string_view path) {
     const std::string extension = extension_of(path);
     if (extension.empty()) return !is_number_name(file_name_of(path));
-    return extension != "txt" && extension != "h";
+    return extension != "txt" && extension != "h" && extension != "def";
 }
 
 } // namespace maclint

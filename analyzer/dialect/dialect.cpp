@@ -5,6 +5,8 @@
 #include "analyzer/dialect/dinplus/tables.hpp"
 #include "analyzer/dialect/fanuc/read.hpp"
 #include "analyzer/dialect/fanuc/tables.hpp"
+#include "analyzer/dialect/sinumerik/read.hpp"
+#include "analyzer/dialect/sinumerik/tables.hpp"
 
 #include <algorithm>
 #include <array>
@@ -13,11 +15,12 @@ namespace maclint {
 namespace {
 
 // clang-format off
-constexpr std::array<Dialect, 3> all_dialects{{
+constexpr std::array<Dialect, 4> all_dialects{{
     // name    description                                     control   comments  reader
     {"fanuc",  "FANUC Custom Macro B and look-alikes",         "fanuc",  "(", ")", fanuc::read},
     {"nct",    "NCT 100 series, a FANUC look-alike",           "nct",    "(", ")", fanuc::read},
     {"dinplus","HEIDENHAIN DIN PLUS",                          "dinplus","[", "]", dinplus::read},
+    {"sinumerik","SIEMENS SINUMERIK 840D sl, 828D, 808D, ONE", "sinumerik", ";", "", sinumerik::read},
 }};
 // clang-format on
 
@@ -25,6 +28,7 @@ std::vector<const ControlModel*> collect_controls() {
     std::vector<const ControlModel*> controls;
     for (const ControlModel& control : fanuc::fanuc_controls()) controls.push_back(&control);
     controls.push_back(&dinplus::control());
+    controls.push_back(&sinumerik::control());
     return controls;
 }
 

@@ -26,7 +26,7 @@ extern const Rule infinite_loop_unchanged{
            "alarm when "
            "nothing in the loop moves.",
     .severity = Severity::error,
-    .severity_elsewhere = {{"dinplus", Severity::warning}},
+    .severity_elsewhere = {{"dinplus", Severity::warning}, {"sinumerik", Severity::warning}},
     .precision = Precision::high,
     .facts = dataflow::facts<dataflow::Store, dataflow::Comparison>(),
     .data_flow = true,

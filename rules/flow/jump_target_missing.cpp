@@ -1,8 +1,7 @@
 //! MAC301: a jump to nowhere.
 #include "analyzer/dataflow/facts/computed_jump.hpp"
-#include "analyzer/queries/structure/sequence_numbers.hpp"
 #include "analyzer/workspace/program_analysis.hpp"
-#include "rules/listed.hpp"
+#include "rules/flow/nearby_numbers.hpp"
 #include "rules/path.hpp"
 #include "rules/rule.hpp"
 #include "rules/trace.hpp"
@@ -36,6 +35,9 @@ extern const Rule jump_target_missing{
           "Correct the jump, or give its target a number."},
          {"named", "Missing label: '{0}' finds no '{1}' where the control looks for it.",
           "Add the label, or correct the jump."},
+         {"other-side",
+          "Label on the other side: '{0}' does not look where '{1}' stands, on line {2}, and finds none.",
+          "Let the jump look in the other direction."},
          {"computed", "Missing sequence number: '{0}' goes to N{1} here, which this program does not have.",
           "Check the value before the jump; nearest: {2}."},
          {"impossible", "Impossible sequence number: '{0}' jumps to N{1}, but they go from 1 to 99999999.",
@@ -45,6 +47,10 @@ O9301(CHECK)
 IF[#100EQ1]GOTO70
 #100=1
 N7 M30
+)nc"},
+            {"sinumerik", R"nc(
+READY: G0 X100
+IF R1==1 GOTOF READY
 )nc"}},
     .good = {{"fanuc", R"nc(
 O9301(CHECK)
@@ -74,30 +80,23 @@ std::string_view message_for(const Label& label) {
     return can_exist(*number) ? "constant" : "impossible";
 }
 
-/// Finds what stands near a number in one program, whose blocks are read when a first one is missing.
-class Nearby {
-  public:
-    explicit Nearby(const ProgramAnalysis& analysis)
-        : analysis_(&analysis) {}
-
-    /// "N4001 (line 4), N5 (line 56) and N8 (line 70)"; empty: the program has no numbers.
-    [[nodiscard]] std::string operator()(std::int64_t number) {
-        if (!numbers_) numbers_ = queries::find_sequence_numbers(analysis_->program());
-        std::vector<std::string> words;
-        for (const queries::SequenceNumber& block : queries::find_nearest(*numbers_, number))
-            words.push_back("N" + std::to_string(block.number) + " (line " +
-                            line_number(analysis_->file(), block.at) + ")");
-        return listed(words, " and ");
-    }
-
-  private:
-    const ProgramAnalysis* analysis_;
-    std::optional<std::vector<queries::SequenceNumber>> numbers_;
-};
+/// Whether the label stands where the jump does not look.
+bool report_other_side(const ProgramAnalysis& analysis, const flow::ResolvedJump& jump, Reporter& reporter) {
+    const Program& program = analysis.program();
+    const Span span = program.effects[jump.jump].span;
+    const auto* label = analysis.graph().find_label(*jump.label, span.begin, LabelSearch::forward_then_top);
+    if (label == nullptr) return false;
+    Finding& finding = reporter.report({analysis, jump.jump}, span, "other-side",
+                                       {quoted(program, span), quoted(program, label->span),
+                                        line_number(analysis.file(), label->span.begin)});
+    finding.related.push_back({analysis.source(), label->span, "the label stands here"});
+    trace(finding, analysis, jump.node, "the label stands on the other side");
+    return true;
+}
 
 void check(const ProgramAnalysis& analysis, Reporter& reporter) {
     const Program& program = analysis.program();
-    Nearby nearby(analysis);
+    NearbyNumbers nearby(analysis);
     const auto missing = [&](flow::NodeId node, EffectId jump, std::string_view message, std::string number,
                              std::string near) {
         const Span span = program.effects[jump].span;
@@ -111,6 +110,7 @@ void check(const ProgramAnalysis& analysis, Reporter& reporter) {
     for (const flow::ResolvedJump& jump : analysis.graph().jumps) {
         const auto& effect = std::get<Jump>(program.effects[jump.jump].what);
         if (!jump.label || jump.target || effect.missing == MissingLabel::skip) continue;
+        if (report_other_side(analysis, jump, reporter)) continue;
         const std::string_view message = message_for(*jump.label);
         const auto* number = std::get_if<std::int64_t>(&*jump.label);
         if (message == "constant")

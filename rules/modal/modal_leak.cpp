@@ -49,9 +49,13 @@ std::string subject_of(const ProgramAnalysis& analysis, const queries::ModalLeak
 std::string exit_text(const ProgramAnalysis& analysis, const queries::ModalLeak& leak) {
     const Span span = queries::span_of_exit(analysis, leak.exit->exit);
     const std::string line = "line " + line_number(analysis.file(), span.begin);
-    return leak.exit->exit.kind == flow::ExitKind::returns
-               ? "the " + std::string(analysis.control().return_word) + " of " + line
-               : line;
+    if (leak.exit->exit.kind != flow::ExitKind::returns) return line;
+    // A language may have a word beside its code: RET and M17.
+    const std::string written = quoted(analysis.program(), span);
+    const bool is_code = written.find_first_of("0123456789") != std::string::npos;
+    const std::string_view usual = analysis.control().return_word;
+    const bool is_usual = is_code || usual.find_first_of("0123456789") == std::string_view::npos;
+    return "the " + (is_usual ? std::string(usual) : written) + " of " + line;
 }
 
 std::string cure_by_saving(const ProgramAnalysis& analysis, const queries::ModalLeak& leak) {

@@ -216,8 +216,10 @@ TEST_F(Executable, KeepsSilentAboutTextsThatNobodyTakesForPrograms) {
     folder.write("README.txt", "These are the programs of the hinge,\nas the customer sent them.\n");
     folder.write("driver.h", "#include <stdio.h>\n#define A 1\n");
     EXPECT_THAT(run({"."}).err, IsEmpty());
-    folder.write("PART.MPF", "G0 X5\nM30\n");
-    EXPECT_THAT(run({"."}).err, HasSubstr("PART.MPF: this is not linted: SINUMERIK"));
+    folder.write("PART.MIN", "G0 X5\nM30\n");
+    EXPECT_THAT(run({"."}).err, HasSubstr("PART.MIN: this is not linted: OKUMA OSP"));
+    folder.write("PART.MPF", "G0 X5\nGOTOF NOWHERE\nM30\n");
+    EXPECT_THAT(concise({"PART.MPF"}), HasSubstr("MAC301"));
 }
 
 TEST_F(Executable, TakesTheUsersWordForTheDialect) {

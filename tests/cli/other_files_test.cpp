@@ -53,11 +53,11 @@ TEST(GatherNotices, TheFolderOfAbsolutePathsMayBeTheRoot) {
 class OtherFiles : public InRepository {};
 
 TEST_F(OtherFiles, AFolderOfAnotherLanguageGivesOneNote) {
-    for (const char* name : {"shop/1.mpf", "shop/2.mpf", "shop/below/3.mpf"})
+    for (const char* name : {"shop/1.min", "shop/2.min", "shop/below/3.min"})
         folder.write(name, "G0 X5\nM30\n");
     const Finished finished = run({"shop"});
     EXPECT_EQ(finished.err,
-              "maclint: note: shop: 3 files are not linted: SINUMERIK (shop/1.mpf and others). Say "
+              "maclint: note: shop: 3 files are not linted: OKUMA OSP (shop/1.min and others). Say "
               "--show-files to see which.\n");
     EXPECT_EQ(finished.status, 0);
 }
@@ -82,7 +82,7 @@ TEST_F(OtherFiles, ShowFilesListsWhatIsReadAndPassedOverAndWhyAndChecksNothing) 
                             "shop/bad.nc: read as fanuc (extension .nc and content)\n"
                             "shop/build: passed over: a folder of what programs made\n"
                             "shop/data.txt: not linted: data, no program (values of variables)\n"
-                            "shop/part.mpf: not linted: SINUMERIK (extension .mpf)\n"
+                            "shop/part.mpf: read as sinumerik (extension .mpf)\n"
                             "shop/plan.pdf: passed over: another name\n");
     EXPECT_EQ(finished.err, "");
     EXPECT_EQ(finished.status, 0);

@@ -59,7 +59,9 @@ std::vector<std::string> meaning(const ProgramFile& file) {
 } // namespace
 
 BothLanes forbid_plain_lane(std::string_view text, std::string_view control) {
-    const std::string_view comment = control == "dinplus" ? "[maclint]" : "(maclint)";
+    const std::string_view comment = control == "dinplus"     ? "[maclint]"
+                                     : control == "sinumerik" ? ";maclint"
+                                                              : "(maclint)";
     const ProgramFile file = read_as(control, "O1.nc", text);
     std::vector<Offset> ends; // of the plain blocks; a program may go on behind another
     for (const Program& program : file.programs)

@@ -36,12 +36,12 @@ constexpr Kind kinds[] = {
     {"corpus/fanuc-plain",                             "",                      "fanuc"},
     {"corpus/heidenhain-tnc",                          "",                      "HEIDENHAIN Klartext"},
     {"corpus/linuxcnc",                                "",                      "LinuxCNC"},
-    {"corpus/sinumerik",                               "",                      "SINUMERIK"},
+    {"corpus/sinumerik",                               "",                      "sinumerik"},
     // One or two blocks that any control would take: nothing in them tells.
     {"reference/dinplus-examples",                     "010-block-allowed.nc",  "fanuc"},
     {"reference/dinplus-examples",                     "011-block-forbidden.nc", "fanuc"},
     {"reference/dinplus-examples",                     "",                      test::din_plus},
-    {"reference/seed-programs",                        ".mpf",                  "SINUMERIK"},
+    {"reference/seed-programs",                        ".mpf",                  "sinumerik"},
     {"reference/seed-programs",                        "O9601.",                "nct"},
     // The other NCT programs are Fanuc code to the letter, or nearly.
     {"reference/seed-programs",                        "",                      "fanuc"},

@@ -98,10 +98,14 @@ TEST(Detection, KlartextIsToldByItsWords) {
 }
 
 TEST(Detection, SinumerikIsToldByItsExtensionOrItsWords) {
-    EXPECT_EQ(reported_of("a.MPF", "G0 X10\nM30"), "SINUMERIK");
-    EXPECT_EQ(reported_of("DEF REAL DEPTH\nR1=5 R2=R1+3\nMSG(\"HELLO\")\nM17"), "SINUMERIK");
-    EXPECT_EQ(reported_of("%_N_PART_MPF\nG0 X10\nM30"), "SINUMERIK");
-    EXPECT_EQ(reported_of("; rough\nG0 X=R1\nIF R1>5 GOTOF NEXT\nR3=R1\nNEXT:\nM30 ; done"), "SINUMERIK");
+    EXPECT_EQ(reported_of("a.MPF", "G0 X10\nM30"), "sinumerik");
+    EXPECT_EQ(reported_of("DEF REAL DEPTH\nR1=5 R2=R1+3\nMSG(\"HELLO\")\nM17"), "sinumerik");
+    EXPECT_EQ(reported_of("%_N_PART_MPF\nG0 X10\nM30"), "sinumerik");
+    EXPECT_EQ(reported_of("; rough\nG0 X=R1\nIF R1>5 GOTOF NEXT\nR3=R1\nNEXT:\nM30 ; done"), "sinumerik");
+    for (const char* text : {"G17 G54\nT=\"MILL_D10\" D1 M6\nM30\n", "DEF INT COUNT\nG0 X5\nM30\n",
+                             "G0 Z=IC(20)\nG0 X20 Z=AC(10)\n", "TRANS X50 Y20\nAROT Z30\nG0 X0\n",
+                             "G1 X25 RND=2 F300\nG1 Y5 CHF=1\n", "G0 X0 SPOS=0\nG331 Z-15 K1.25\nG0 Z5 SPOS=90\n"})
+        EXPECT_EQ(reported_of(text), "sinumerik") << text;
 }
 
 TEST(Detection, LinuxCncIsToldByOWordsNamesAndItsExtension) {
@@ -187,7 +191,7 @@ TEST(Detection, TheNoteSaysWhatGaveTheLanguageAwayAndWhere) {
               "HEIDENHAIN Klartext (BEGIN PGM on line 3)");
     EXPECT_EQ(detect("a.nc", "G0\n\rG1\n\r0 BEGIN PGM A MM\n").reason,
               "HEIDENHAIN Klartext (BEGIN PGM on line 3)");
-    EXPECT_EQ(detect("a.spf", "G0 X5\n").reason, "SINUMERIK (extension .spf)");
+    EXPECT_EQ(detect("a.spf", "G0 X5\n").reason, "extension .spf");
     EXPECT_FALSE(detect("a.nc", "o100 sub\no100 endsub\n").not_nc_text);
 }
 

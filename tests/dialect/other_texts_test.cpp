@@ -93,7 +93,7 @@ TEST(OtherControls, AreToldByWhatNoOtherWrites) {
                                         "G600\nT300 (END MILL)\nG650\nG999\nM2\n"})
         EXPECT_EQ(reported_of(text), "CITIZEN or another lathe of several paths") << text;
     EXPECT_EQ(reported_of("%\nO8\nG291\nG65P2A1.\nG0 X5\nM30\n%\n"), "SINUMERIK in ISO mode");
-    EXPECT_EQ(reported_of("G0 X5\nG291\nM30\n", "a.mpf"), "SINUMERIK");
+    EXPECT_EQ(reported_of("G0 X5\nG291\nM30\n", "a.mpf"), "sinumerik");
     EXPECT_EQ(reported_of("%PIN,MX,\n(P1=5)\nG0 X5\nM30\n"), "FAGOR");
     EXPECT_EQ(reported_of("(P1=5)\nG0 X5\n(IF P1 EQ 0 GOTO N100)\n(CALL 12)\nM30\n"), "FAGOR");
     EXPECT_EQ(reported_of("N10 P1=K5\nN20 G0 X5\nN30 P2=P1\n"), "FAGOR");

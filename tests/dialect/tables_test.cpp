@@ -41,6 +41,7 @@ TEST(Controls, HaveWhatTheirLanguageHas) {
                                               {undefined_variables, false, true, false},
                                               {jumps, true, false, true},
                                               {sequence_numbers, true, true, true},
+                                              {paired_words, false, false, false},
                                               {block_references, false, true, false},
                                               {macro_calls, true, false, false},
                                               {modal_calls, true, false, false},
@@ -58,6 +59,17 @@ TEST(Controls, HaveWhatTheirLanguageHas) {
                                         }))
             << "no rule needs " << number;
     }
+}
+
+TEST(Controls, ACodeIsFoundAsItIsWrittenAndGivesItsMember) {
+    const ControlModel& control = *find_control("sinumerik");
+    const auto plane = control.member_of('G', 18);
+    ASSERT_TRUE(plane);
+    EXPECT_EQ(control.groups[plane->group].role, ModalRole::plane);
+    EXPECT_EQ(plane->code, 2);
+    EXPECT_EQ(control.spell(plane->group, 2), "G18");
+    EXPECT_EQ(control.group_of('G', 999), std::nullopt);
+    EXPECT_EQ(find_control("fanuc")->member_of('G', 18)->code, 18);
 }
 
 TEST(Controls, OfTheFamilyHaveAColumnInTheTableOfForms) {
@@ -146,8 +158,11 @@ TEST(Controls, ACodeBelongsToOneGroup) {
         std::set<double> codes;
         for (const ModalGroup& group : control->groups) {
             if (group.letter != 'G') continue;
-            for (const auto& [code, spelling] : group.members)
-                EXPECT_TRUE(codes.insert(code).second) << control->name << " G" << code;
+            for (const ModalMember& member : group.members) {
+                const bool is_name = member.written_code < 0;
+                EXPECT_TRUE(is_name || codes.insert(member.written_code).second)
+                    << control->name << " G" << member.written_code;
+            }
         }
     }
 }

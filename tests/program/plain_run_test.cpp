@@ -1,6 +1,8 @@
 //! What plain blocks in a row leave behind.
 #include "analyzer/program/plain_run.hpp"
 
+#include <array>
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -11,7 +13,8 @@ using ::testing::ElementsAre;
 
 TEST(GroupSet, HoldsAsManyGroupsAsAControlHas) {
     syntax::GroupSet groups;
-    for (const std::uint8_t group : {3, 63, 64, 127}) EXPECT_FALSE(groups.add(group));
+    for (const std::uint8_t group : std::array<std::uint8_t, 4>{3, 63, 64, 127})
+        EXPECT_FALSE(groups.add(group));
     EXPECT_TRUE(groups.add(64));
     EXPECT_EQ(groups.size(), 4U);
     std::vector<int> in_order;

@@ -1,0 +1,87 @@
+//! Programs and their names.
+#include "analyzer/dialect/sinumerik/collect.hpp"
+
+#include "analyzer/dialect/ascii.hpp"
+#include "analyzer/dialect/sinumerik/lexer.hpp"
+#include "analyzer/dialect/sinumerik/plain.hpp"
+
+#include <algorithm>
+#include <utility>
+
+namespace maclint::sinumerik {
+namespace {
+
+/// What a program is by the ending of its name.
+struct Ending {
+    std::string_view ending;
+    Program::Started started;
+    Section::Executed executed;
+};
+constexpr Ending endings[] = {
+    {"MPF", Program::Started::by_hand, Section::Executed::when_reached},
+    {"SPF", Program::Started::by_call, Section::Executed::when_reached},
+    {"CPF", Program::Started::by_call, Section::Executed::when_reached},
+    {"DEF", Program::Started::unknown, Section::Executed::never}, // definitions of variables and macros
+};
+
+const Ending* ending_of(std::string_view capitals) {
+    const auto* row = std::ranges::find(endings, capitals, &Ending::ending);
+    return row == std::end(endings) ? nullptr : row;
+}
+
+/// "SHAFT" of "SHAFT.MPF", "_N_SHAFT_MPF", "SHAFT_MPF", and its ending.
+std::pair<std::string, const Ending*> parts_of(std::string_view written) {
+    constexpr std::size_t length_of_ending = 4; // with the character before it
+    std::string name = in_capitals(written);
+    if (name.starts_with("_N_")) name.erase(0, 3);
+    const Ending* ending = nullptr;
+    if (name.size() > length_of_ending) {
+        const char before = name[name.size() - length_of_ending];
+        if (before == '_' || before == '.')
+            ending = ending_of(std::string_view(name).substr(name.size() - length_of_ending + 1));
+    }
+    if (ending != nullptr) name.resize(name.size() - length_of_ending);
+    return {std::move(name), ending};
+}
+
+} // namespace
+
+/// A call may write `SUB`, `_N_SUB`, `SUB_SPF` or `_N_SUB_SPF` [NCP23 p.490].
+void Programs::open(std::string written) {
+    auto [name, ending] = parts_of(written);
+    OpenProgram& program = open_.emplace_back(OpenProgram{
+        .builder = ProgramBuilder(name.empty() ? std::move(written) : name, source_.bytes(), control_)});
+    program.builder.set_plain_tables({&plain_tables(), nullptr});
+    program.builder.add_name("_N_" + name);
+    if (ending != nullptr) {
+        const std::string whole = name + '_' + std::string(ending->ending);
+        program.builder.add_name(whole);
+        program.builder.add_name("_N_" + whole);
+        program.builder.set_started(ending->started);
+    }
+    program.builder.begin_section("program",
+                                  ending == nullptr ? Section::Executed::when_reached : ending->executed, {});
+}
+
+void Programs::open_behind(Span line, Offset mark) {
+    std::string_view name = source_.bytes().substr(mark + 1, line.end - mark - 1);
+    const auto end = std::ranges::find_if_not(name, [](char c) { return begins_name(c) || is_digit(c); });
+    name = name.substr(0, static_cast<std::size_t>(end - name.begin()));
+    // A bare `%` is the mark of a tape.
+    open(std::string(name.empty() ? file_name_of(source_.path()) : name));
+    if (!name.empty()) {
+        const auto begin = static_cast<Offset>(name.data() - source_.bytes().data());
+        open_.back().builder.set_name_span({begin, begin + static_cast<Offset>(name.size())});
+    }
+}
+
+OpenProgram& Programs::current() {
+    if (open_.empty()) open(std::string(file_name_of(source_.path())));
+    return open_.back();
+}
+
+void Programs::close() {
+    for (OpenProgram& program : open_) file_.programs.push_back(program.builder.take());
+}
+
+} // namespace maclint::sinumerik

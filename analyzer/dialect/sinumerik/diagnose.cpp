@@ -1,0 +1,143 @@
+//! Finds the cause of a syntax error in a block's text; the parser's recovery is only asked where the text
+//! ran out.
+#include "analyzer/dialect/sinumerik/diagnose.hpp"
+
+#include "analyzer/dialect/ascii.hpp"
+#include "analyzer/dialect/numbers.hpp"
+#include "analyzer/dialect/shown_text.hpp"
+#include "analyzer/dialect/sinumerik/keywords.hpp"
+#include "analyzer/dialect/sinumerik/kinds.hpp"
+#include "analyzer/dialect/sinumerik/lexer.hpp"
+
+#include <algorithm>
+#include <utility>
+
+namespace maclint::sinumerik {
+namespace {
+
+using TokenKind = Token::Kind;
+
+std::string_view text_of(std::string_view text, const Token& token) {
+    return text.substr(token.span.begin, token.span.length());
+}
+
+SyntaxError error_at(std::string_view text, SyntaxErrorKind kind, Span span, std::string cure) {
+    return {kind, span, shown(text.substr(span.begin, span.length())), std::move(cure)};
+}
+
+std::optional<SyntaxError> unclosed_text(std::string_view text, std::span<const Token> tokens) {
+    const auto token = std::ranges::find(tokens, TokenKind::unclosed_text, &Token::kind);
+    if (token == tokens.end()) return std::nullopt;
+    return error_at(text, SyntaxErrorKind::unreadable, token->span, "a '\"' at the end of the text");
+}
+
+/// `X. . .`: how courses leave a value to the reader.
+std::optional<SyntaxError> placeholder(std::string_view text, std::span<const Token> tokens) {
+    for (std::size_t i = 0; i < tokens.size(); ++i) {
+        const Token& token = tokens[i];
+        const bool points = token.kind == TokenKind::number &&
+                            text_of(text, token).find_first_not_of('.') == std::string_view::npos;
+        const bool extension = i + 1 < tokens.size() && tokens[i + 1].kind == TokenKind::name; // NAME.SPF
+        if (points && !extension) return error_at(text, SyntaxErrorKind::unreadable, token.span, "a number");
+    }
+    return std::nullopt;
+}
+
+/// A line of dashes, or text outside of ASCII: a remark that lost its `;`.
+std::optional<SyntaxError> bare_remark(std::string_view text, std::span<const Token> tokens) {
+    constexpr std::size_t fewest = 3;
+    if (tokens.empty()) return std::nullopt;
+    const bool dashes = tokens.size() >= fewest &&
+                        std::ranges::all_of(tokens.first(fewest),
+                                            [](const Token& token) { return token.kind == TokenKind::sign; });
+    if (!dashes && tokens[0].kind != TokenKind::other) return std::nullopt;
+    return error_at(text, SyntaxErrorKind::unreadable, {tokens.front().span.begin, tokens.back().span.end},
+                    "a ';' before a remark");
+}
+
+/// `CASE R1 OF 1 GOTOF ONE DEFAULT OTHER`.
+std::optional<SyntaxError> case_without_jump(std::string_view text, std::span<const Token> tokens) {
+    const auto is = [&](const Token& token, std::string_view word) {
+        return token.kind == TokenKind::name && in_capitals(text_of(text, token)) == word;
+    };
+    const auto word = std::ranges::find_if(tokens, [&](const Token& token) { return is(token, "DEFAULT"); });
+    const bool is_case = std::ranges::any_of(tokens, [&](const Token& token) { return is(token, "CASE"); });
+    if (!is_case || word == tokens.end()) return std::nullopt;
+    return error_at(text, SyntaxErrorKind::unreadable, word->span, "a jump such as GOTOF behind it");
+}
+
+char closer_of(char open) { return open == '(' ? ')' : ']'; }
+
+std::optional<SyntaxError> bracket_mismatch(std::string_view text, std::span<const Token> tokens) {
+    std::vector<const Token*> open;
+    for (const Token& token : tokens) {
+        if (token.kind == TokenKind::open) open.push_back(&token);
+        if (token.kind != TokenKind::close) continue;
+        const char close = text[token.span.begin];
+        const std::string wanted = close == ')' ? "(" : "[";
+        if (open.empty())
+            return error_at(text, SyntaxErrorKind::bracket_mismatch, token.span,
+                            "a '" + wanted + "' is missing before it");
+        const char opened = text[open.back()->span.begin];
+        if (closer_of(opened) != close)
+            return error_at(text, SyntaxErrorKind::bracket_mismatch, open.back()->span,
+                            std::string("its '") + closer_of(opened) + "' is missing");
+        open.pop_back();
+    }
+    if (open.empty()) return std::nullopt;
+    return error_at(text, SyntaxErrorKind::bracket_mismatch, open.back()->span,
+                    std::string("its '") + closer_of(text[open.back()->span.begin]) + "' is missing");
+}
+
+} // namespace
+
+std::string_view label_in(std::string_view written) {
+    if (written.ends_with(wide_colon)) written.remove_suffix(wide_colon.size());
+    if (written.ends_with(':')) written.remove_suffix(1);
+    while (!written.empty() && is_blank(written.back())) written.remove_suffix(1);
+    return written;
+}
+
+SyntaxError find_parse_error(std::string_view text, Span block, const syntax::Tree& tree) {
+    Span span = block;
+    std::string expected;
+    const auto error = std::ranges::find_if(
+        tree.nodes, [](const syntax::Node& n) { return n.missing || kind_of(n) == Kind::error; });
+    if (error != tree.nodes.end()) {
+        if (error->missing && !error->named)
+            expected = "'" + std::string(syntax::symbol_name(grammar, error->symbol)) + "'";
+        else if (!error->span.empty())
+            span = {block.begin + error->span.begin, block.begin + error->span.end};
+    }
+    return unreadable(text, span, std::move(expected));
+}
+
+std::optional<SyntaxError> find_cause(std::string_view text, Span block) {
+    const std::vector<Token> tokens = tokens_of(text, block);
+    for (const auto cause :
+         {&bare_remark, &unclosed_text, &placeholder, &bracket_mismatch, &case_without_jump})
+        if (std::optional<SyntaxError> found = cause(text, tokens)) return found;
+    return std::nullopt;
+}
+
+/// Any name may be a label or a program, and any variable may be written.
+NamedInBlock names_in(OpenProgram& program, Span block) {
+    const std::string_view text = program.builder.program().text;
+    NamedInBlock names;
+    names.may_call_or_return = true;
+    for (const Token& token : tokens_of(text, block)) {
+        if (token.kind != TokenKind::name) continue;
+        const std::string word = in_capitals(text_of(text, token));
+        names.may_open_or_close |= is_structural(word);
+        if (const auto known = program.variables.find(word); known != program.variables.end()) {
+            if (std::ranges::find(names.variables, known->second) == names.variables.end())
+                names.variables.push_back(known->second);
+        } else {
+            const Label label = program.builder.block_name(word);
+            if (std::ranges::find(names.labels, label) == names.labels.end()) names.labels.push_back(label);
+        }
+    }
+    return names;
+}
+
+} // namespace maclint::sinumerik

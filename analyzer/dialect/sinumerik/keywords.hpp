@@ -1,0 +1,17 @@
+//! Keywords, and what is written for one by a slip.
+#pragma once
+
+#include <string_view>
+
+namespace maclint::sinumerik {
+
+/// Words that open, divide or close a part of a program.
+[[nodiscard]] bool is_structural(std::string_view capitals);
+
+/// The word that closes a loop or a branch, one slip away from this one; empty: none is. Any name may be a
+/// program: only one that stands alone in its block can be meant for a keyword.
+[[nodiscard]] std::string_view closer_meant_by(std::string_view capitals);
+/// The word of a jump, likewise; it has a label behind it.
+[[nodiscard]] std::string_view jump_meant_by(std::string_view capitals);
+
+} // namespace maclint::sinumerik

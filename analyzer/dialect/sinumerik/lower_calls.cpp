@@ -1,0 +1,265 @@
+//! Lowering of definitions, of names that stand for programs, and of calls.
+#include "analyzer/dialect/ascii.hpp"
+#include "analyzer/dialect/sinumerik/cycles.hpp"
+#include "analyzer/dialect/sinumerik/keywords.hpp"
+#include "analyzer/dialect/sinumerik/lowering.hpp"
+#include "analyzer/dialect/sinumerik/tables.hpp"
+#include "analyzer/dialect/sinumerik/words.hpp"
+
+#include <algorithm>
+#include <array>
+
+namespace maclint::sinumerik {
+namespace {
+
+/// A cycle that moves leaves modes and variables as they are; one that sets something may do anything.
+CallKindId kind_of_cycle(std::string_view capitals) {
+    const CycleRow* row = find_cycle(capitals);
+    return row == nullptr || row->use == CycleUse::setting || row->use == CycleUse::other ? calls::by_name
+                                                                                          : calls::cycle;
+}
+
+} // namespace
+
+// ---- definitions
+
+VariableType BlockLowering::type_of(const Node& type) const {
+    const std::string name = upper_text(type);
+    if (name == "REAL") return VariableType::number;
+    if (name == "INT" || name == "CHAR") return VariableType::integer;
+    return name == "BOOL" ? VariableType::truth : VariableType::text; // STRING, AXIS, FRAME: no numbers
+}
+
+void BlockLowering::lower_program_definition(const Node& node) {
+    if (const Node* list = child(node, Field::parameters))
+        for_each_child(*list, [this](const Node& part) {
+            if (kind_of(part) == Kind::parameter) lower_parameter(part);
+        });
+    for_each_child(node, [this](const Node& part) {
+        if (kind_of(part) == Kind::attribute && upper_text(part) == "SAVE") save_modes(span(part));
+    });
+}
+
+/// On return the codes are in force again that were at the call [BF11 p.793]. Of groups that no rule asks a
+/// program to put back nothing is kept.
+void BlockLowering::save_modes(Span here) {
+    const auto& groups = program_->control->groups;
+    for (std::size_t i = 0; i < groups.size(); ++i) {
+        if (groups[i].restore_policy == RestorePolicy::none) continue;
+        const auto group = static_cast<GroupId>(i);
+        const std::string name = "SAVE " + std::string(groups[i].name); // no name of a program holds a blank
+        const Variable kept{spaces::local, builder_->number_of_name(spaces::local, name)};
+        effect({Assign{kept, add({LoadModal{group}, here})}, here});
+        open_->saved.emplace_back(group, kept);
+    }
+}
+
+void BlockLowering::go_back(std::optional<ExpressionId> label, Span here) {
+    for (const auto& [group, kept] : open_->saved) effect({SetModal{group, add({Load{kept}, here})}, here});
+    effect({Return{std::nullopt, label}, here});
+}
+
+/// A parameter that is left out arrives as 0, unless it has a default [NCP19 p.494].
+void BlockLowering::lower_parameter(const Node& node) {
+    const Node* type = child(node, Field::type);
+    const Node* name = child(node, Field::name);
+    if (type == nullptr || name == nullptr) return;
+    const std::string capitals = upper_text(*name);
+    const Variable variable{spaces::parameter, builder_->number_of_name(spaces::parameter, capitals)};
+    const bool reference = child(node, Field::reference) != nullptr;
+    builder_->add_formal(
+        {variable, capitals, reference ? Passing::by_reference : Passing::by_value, span(*name)});
+    if (child(node, Field::size) != nullptr) {
+        open_->arrays.insert(capitals);
+        return;
+    }
+    Declaration declaration{type_of(*type), std::nullopt, span(*name)};
+    if (const Node* value = child(node, Field::value))
+        declaration.initial = literal_value(lower_expression(*value));
+    builder_->declare(variable, declaration);
+    open_->variables.emplace(capitals, variable);
+}
+
+void BlockLowering::lower_definition(const Node& node) {
+    const Node* type = child(node, Field::type);
+    if (type == nullptr) return;
+    for_each_child(node, [&](const Node& part) {
+        if (kind_of(part) == Kind::declarator) lower_declarator(part, type_of(*type));
+    });
+}
+
+/// What is defined is 0 before anything is stored in it, or the value beside its name [NCP19 p.409].
+void BlockLowering::lower_declarator(const Node& node, VariableType type) {
+    const Node* name = child(node, Field::name);
+    if (name == nullptr) return;
+    const std::string capitals = upper_text(*name);
+    const Node* value = child(node, Field::value);
+    std::optional<ExpressionId> initial;
+    if (value != nullptr)
+        initial =
+            kind_of(*value) == Kind::value_list ? lower_all(*value, span(*value)) : lower_expression(*value);
+    if (child(node, Field::size) != nullptr) {
+        open_->arrays.insert(capitals);
+        if (initial) evaluate(*initial, span(node));
+        return;
+    }
+    const Variable variable{spaces::local, builder_->number_of_name(spaces::local, capitals)};
+    Declaration declaration{type, std::nullopt, span(*name)};
+    if (initial) declaration.initial = literal_value(*initial);
+    builder_->declare(variable, declaration);
+    open_->variables.emplace(capitals, variable);
+    if (initial && !declaration.initial) effect({Assign{variable, *initial}, span(node)});
+}
+
+// ---- names
+
+/// A name alone, or with arguments: a code, a procedure, a cycle, or a program of the shop. The tables say
+/// which; a name that they do not know is a program.
+void BlockLowering::lower_named(const Node& name, const Node* arguments, const Node& whole) {
+    const std::string capitals = upper_text(name);
+    const Span here = span(whole);
+    if (kind_of(name) == Kind::malformed_name) return; // told as it is met
+    if (open_->macros.contains(capitals)) return call_anything(here);
+    if (arguments == nullptr && setting_of(capitals)) return lower_code(capitals, here);
+    if (variable_named(capitals) != nullptr) return;
+    const WordRow* row = find_word(capitals);
+    if (is_cycle_name(capitals)) return call_program(span(name), arguments, kind_of_cycle(capitals), here);
+    if (row == nullptr) {
+        if (arguments == nullptr && (report_letter_o(capitals, here) || report_slip(capitals, here))) return;
+        return call_program(span(name), arguments, calls::by_name, here);
+    }
+    switch (row->kind) {
+    case WordKind::procedure: return lower_procedure(capitals, arguments, here);
+    default:
+        for (const ExpressionId value : values_of(arguments)) evaluate(value, here);
+        return;
+    }
+}
+
+/// `GO X5`: the letter for the figure. Alone in its block it may be a program.
+bool BlockLowering::report_letter_o(std::string_view capitals, Span here) {
+    const bool code = capitals.size() > 1 && capitals.front() == 'G' &&
+                      capitals.find_first_not_of("O0123456789", 1) == std::string_view::npos;
+    const auto words =
+        std::ranges::count_if(items_, [](const Node* item) { return !is_head(kind_of(*item)); });
+    if (!code || words < 2) return false;
+    std::string meant(capitals);
+    std::ranges::replace(meant, 'O', '0');
+    report(SyntaxErrorKind::letter_o, here, meant);
+    return true;
+}
+
+/// `ENDI` alone in its block, `GOTFO NEXT`: what stands there may open or close something, or jump.
+bool BlockLowering::report_slip(std::string_view capitals, Span here) {
+    const auto content = static_cast<std::size_t>(
+        std::ranges::count_if(items_, [](const Node* item) { return !is_head(kind_of(*item)); }));
+    const auto is_name = [](const Node* item) { return kind_of(*item) == Kind::command; };
+    const auto is_if = [](const Node* item) { return kind_of(*item) == Kind::if_statement; };
+    const auto names = static_cast<std::size_t>(std::ranges::count_if(items_, is_name));
+    const auto ifs = static_cast<std::size_t>(std::ranges::count_if(items_, is_if));
+    constexpr std::size_t word_and_label = 2;
+    std::string_view meant;
+    if (content == 1) meant = closer_meant_by(capitals);
+    if (names == word_and_label && content == names + ifs) meant = jump_meant_by(capitals);
+    if (meant.empty()) return false;
+    report(SyntaxErrorKind::unknown_keyword, here, std::string(meant));
+    builder_->add_unreadable({{}, {}, true, true}, here);
+    return true;
+}
+
+/// Variables that stand alone as arguments may be results: READ(STATE, …).
+void BlockLowering::lower_procedure(std::string_view name, const Node* arguments, Span whole) {
+    if (name == "RET" || name == "RETB") {
+        std::optional<ExpressionId> label; // RET("N100"): back to a block of the caller
+        if (arguments != nullptr) label = nobody_knows(whole);
+        return go_back(label, whole);
+    }
+    const std::vector<ExpressionId> values = values_of(arguments);
+    std::vector<Variable> in;
+    constexpr std::string_view without_results[] = {"MSG", "SETAL", "WAITM", "WAITE", "WAITMC", "WAITP"};
+    if (std::ranges::find(without_results, name) == std::end(without_results))
+        for (const ExpressionId value : values)
+            if (const auto* load = std::get_if<Load>(&expression(value).node)) in.push_back(load->variable);
+    if (!values.empty()) builder_->add_exchange(values, in, whole);
+    if (name == "STOPRE") effect({Synchronise{}, whole});
+    if (name == "CALLPATH" || name == "EXTCALL" || name == "EXECSTRING") call_anything(whole);
+}
+
+// ---- calls
+
+std::vector<ExpressionId> BlockLowering::values_of(const Node* list) {
+    std::vector<ExpressionId> values;
+    if (list != nullptr)
+        for_each_child(*list, [&](const Node& value) { values.push_back(lower_expression(value)); });
+    return values;
+}
+
+/// Commas keep the places of arguments that are left out [NCP19 p.494].
+std::vector<Argument> BlockLowering::arguments_of(const Node* list) {
+    std::vector<Argument> arguments;
+    std::uint32_t place = 0;
+    if (list == nullptr) return arguments;
+    for_each_below(*list, [&](const Node& part) {
+        if (!part.named) {
+            place += text(part) == "," ? 1U : 0U;
+        } else if (!is_remark(part)) {
+            const ExpressionId value = lower_expression(part);
+            arguments.push_back(
+                {ArgumentPosition{place}, value, text(part), span(part), Passing::as_declared});
+        }
+    });
+    return arguments;
+}
+
+/// A call may write `SUB`, `_N_SUB`, `SUB_SPF` or `_N_SUB_SPF` [NCP23 p.490]: programs bear all four names.
+void BlockLowering::call_program(Span name, const Node* arguments, CallKindId kind, Span whole) {
+    Call call{Text{name}, kind, {}, passes_};
+    call.arguments = builder_->add_arguments(arguments_of(arguments));
+    effect({call, whole});
+}
+
+/// Nobody knows which program runs, or which blocks.
+void BlockLowering::call_anything(Span whole) {
+    Call call{nobody_knows(whole), calls::by_name, {}, std::nullopt};
+    call.arguments = builder_->add_arguments({});
+    effect({call, whole});
+}
+
+void BlockLowering::lower_modal_call(const Node& node) {
+    const Node* program = child(node, Field::program);
+    if (program == nullptr) // MCALL alone ends it [SEED-004:460-474]
+        return effect({SetModal{modal_call_group(), literal(0, span(node))}, span(node)});
+    const Node* name = kind_of(*program) == Kind::call ? child(*program, Field::name) : program;
+    const Node* arguments = kind_of(*program) == Kind::call ? child(*program, Field::arguments) : nullptr;
+    if (name != nullptr) call_program(span(*name), arguments, calls::modal, span(node));
+}
+
+/// CALL "NAME", PCALL /_N_WKS_DIR/…, ISOCALL, CALL BLOCK first TO last.
+void BlockLowering::lower_other_call(const Node& node) {
+    const Node* program = child(node, Field::program);
+    const bool blocks = child(node, Field::first) != nullptr;
+    if (kind_of(node) == Kind::indirect_call && program != nullptr && !blocks) {
+        if (kind_of(*program) == Kind::program_number)
+            return call_program(span(*program), nullptr, calls::by_name, span(node));
+        const Span whole = span(*program);
+        if (kind_of(*program) == Kind::string && whole.length() > 2)
+            return call_program({whole.begin + 1, whole.end - 1}, nullptr, calls::by_name, span(node));
+    }
+    if (program != nullptr && kind_of(*program) != Kind::path && kind_of(*program) != Kind::program_number)
+        evaluate(lower_expression(*program), span(node));
+    for (const ExpressionId value : values_of(child(node, Field::arguments))) evaluate(value, span(node));
+    if (blocks) {
+        NamedInBlock may;
+        for (const Field field : {Field::first, Field::last})
+            if (const Node* label = child(node, field))
+                if (kind_of(*label) == Kind::name)
+                    may.labels.emplace_back(builder_->block_name(upper_text(*label)));
+        for (const auto& [name, variable] : open_->variables) may.variables.push_back(variable);
+        std::ranges::sort(may.variables, {}, [](Variable v) { return std::pair(v.space, v.number); });
+        may.may_call_or_return = true;
+        return builder_->add_unreadable(may, span(node));
+    }
+    call_anything(span(node));
+}
+
+} // namespace maclint::sinumerik

@@ -1,0 +1,160 @@
+//! Lowering of loops, branches and jumps.
+#include "analyzer/dialect/ascii.hpp"
+#include "analyzer/dialect/characters.hpp"
+#include "analyzer/dialect/numbers.hpp"
+#include "analyzer/dialect/sinumerik/diagnose.hpp"
+#include "analyzer/dialect/sinumerik/lowering.hpp"
+
+#include <algorithm>
+#include <array>
+
+namespace maclint::sinumerik {
+
+using Part = RegionMark::Part;
+
+/// With a jump behind it IF stands alone; any other is closed by ENDIF.
+void BlockLowering::lower_if(const Node& node) {
+    const Node* test = child(node, Field::condition);
+    const ExpressionId condition = test == nullptr ? unreadable(span(node)) : lower_expression(*test);
+    if (const Node* jump = child(node, Field::jump))
+        lower_guarded_jump(condition, *jump, span(node));
+    else
+        mark(node, RegionKind::choice, Part::open, condition);
+}
+
+void BlockLowering::lower_guarded_jump(ExpressionId condition, const Node& jump, Span whole) {
+    const std::size_t first = builder_->effect_count();
+    if (kind_of(jump) == Kind::restart_statement)
+        effect({Stop{Stop::Kind::restart, std::nullopt}, span(jump)});
+    else
+        lower_jump(jump);
+    guard(condition, first, whole);
+}
+
+/// FOR stores its start, tests before each pass, and counts up by 1 at ENDFOR [NCI].
+void BlockLowering::lower_for(const Node& node) {
+    const Node* counter = child(node, Field::counter);
+    const Node* first = child(node, Field::first);
+    const Node* last = child(node, Field::last);
+    std::optional<Variable> variable;
+    std::optional<ExpressionId> condition = nobody_knows(span(node));
+    if (counter != nullptr && first != nullptr && last != nullptr) {
+        store(*counter, lower_expression(*first), span(node));
+        const ExpressionId end = lower_expression(*last);
+        variable = variable_of(*counter);
+        if (variable) {
+            const std::array operands{add({Load{*variable}, span(*counter)}), end};
+            condition = apply(Operation::less_equal, operands, span(node));
+        }
+    }
+    open_->counters.push_back(variable);
+    mark(node, RegionKind::counting_loop, Part::open, condition);
+}
+
+void BlockLowering::end_for(const Node& node) {
+    if (!open_->counters.empty()) {
+        if (const std::optional<Variable> counter = open_->counters.back()) {
+            const std::array operands{add({Load{*counter}, span(node)}), literal(1, span(node))};
+            effect({Assign{*counter, apply(Operation::add, operands, span(node))}, span(node)});
+        }
+        open_->counters.pop_back();
+    }
+    mark(node, RegionKind::counting_loop, Part::close, {});
+}
+
+/// A row of jumps, each under its condition. Without DEFAULT it falls to the next block [NCI 4.1.5.3].
+void BlockLowering::lower_case(const Node& node) {
+    const Node* selected = child(node, Field::value);
+    if (selected == nullptr) return;
+    for_each_child(node, [&](const Node& arm) {
+        const Kind kind = kind_of(arm);
+        if (kind != Kind::case_arm && kind != Kind::default_arm) return;
+        const Node* jump = nullptr;
+        for_each_child(arm, [&](const Node& part) {
+            if (kind_of(part) == Kind::goto_statement) jump = &part;
+        });
+        if (jump == nullptr) return;
+        if (kind == Kind::default_arm) return lower_jump(*jump);
+        const Node* value = child(arm, Field::value);
+        const std::array operands{lower_expression(*selected),
+                                  value == nullptr ? unreadable(span(arm)) : lower_expression(*value)};
+        lower_guarded_jump(apply(Operation::equal, operands, span(arm)), *jump, span(arm));
+    });
+}
+
+void BlockLowering::lower_jump(const Node& node) {
+    const Node* direction = child(node, Field::direction);
+    const std::string word = direction == nullptr ? "GOTO" : upper_text(*direction);
+    Jump jump{jump_target(node), LabelSearch::forward_then_backward, MissingLabel::alarm};
+    if (word == "GOTOF") jump.search = LabelSearch::forward;
+    if (word == "GOTOB") jump.search = LabelSearch::backward;
+    if (word == "GOTOC") jump.missing = MissingLabel::skip;
+    effect({jump, span(node)});
+}
+
+/// A label, a block number, or a text that gives one [NCI, HLS].
+ExpressionId BlockLowering::jump_target(const Node& node) {
+    const Node* target = child(node, Field::target);
+    if (target == nullptr) return unreadable(span(node));
+    const Span here = span(*target);
+    switch (kind_of(*target)) {
+    case Kind::block_number:
+    case Kind::main_block_number:
+    case Kind::number: {
+        const auto number = read_integer(text(*target));
+        return number ? literal(static_cast<double>(*number), here) : unreadable(here);
+    }
+    case Kind::label: return label_named(label_in(text(*target)), here);
+    case Kind::name:
+    case Kind::axis_name:
+        if (variable_named(upper_text(*target)) != nullptr || open_->macros.contains(upper_text(*target)))
+            return nobody_knows(here);
+        return label_named(text(*target), here);
+    case Kind::string: {
+        std::string_view name = text(*target);
+        name.remove_prefix(1);
+        name.remove_suffix(1);
+        return label_named(name, here);
+    }
+    default: evaluate(lower_expression(*target), here); return nobody_knows(here);
+    }
+}
+
+/// `N40` in a text is the number of a block.
+ExpressionId BlockLowering::label_named(std::string_view name, Span here) {
+    const std::string capitals = in_capitals(name);
+    const bool number = capitals.size() > 1 && (capitals[0] == 'N' || capitals[0] == ':') &&
+                        std::all_of(capitals.begin() + 1, capitals.end(), is_digit);
+    if (number)
+        if (const auto value = read_integer(name.substr(1)))
+            return literal(static_cast<double>(*value), here);
+    return add({builder_->block_name(capitals), here});
+}
+
+/// To the start of the program where the machine asks for it, else on with the next block [NCI].
+void BlockLowering::restart_on_request(const Node& node) {
+    lower_guarded_jump(nobody_knows(span(node)), node, span(node));
+}
+
+/// REPEAT of a part of the program: it may run again from its first label, and goes on here. Where the part
+/// stands elsewhere, what it does may be done here, too.
+void BlockLowering::lower_repetition(const Node& node) {
+    NamedInBlock may;
+    for (const Field field : {Field::first, Field::last})
+        if (const Node* name = child(node, field)) {
+            const auto number =
+                kind_of(*name) == Kind::block_number ? read_integer(text(*name)) : std::nullopt;
+            if (number)
+                may.labels.emplace_back(*number);
+            else
+                may.labels.emplace_back(builder_->block_name(upper_text(*name)));
+        }
+    for (const auto& [name, variable] : open_->variables) may.variables.push_back(variable);
+    std::ranges::sort(may.variables, {}, [](Variable v) { return std::pair(v.space, v.number); });
+    may.may_call_or_return = true;
+    builder_->add_unreadable(may, span(node));
+}
+
+ExpressionId BlockLowering::nobody_knows(Span here) { return changing("", here); }
+
+} // namespace maclint::sinumerik

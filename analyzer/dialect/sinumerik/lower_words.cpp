@@ -1,0 +1,186 @@
+//! Lowering of words: addresses with their values, codes, and what is stored.
+#include "analyzer/dialect/ascii.hpp"
+#include "analyzer/dialect/characters.hpp"
+#include "analyzer/dialect/numbers.hpp"
+#include "analyzer/dialect/sinumerik/lowering.hpp"
+#include "analyzer/dialect/sinumerik/tables.hpp"
+#include "analyzer/dialect/sinumerik/words.hpp"
+#include "analyzer/program/overloaded.hpp"
+
+#include <algorithm>
+#include <array>
+
+namespace maclint::sinumerik {
+namespace {
+
+constexpr std::string_view letters = "ABCDEFGHIJKLMNOPQRSTUVWXYZ";
+constexpr std::string_view axes = "XYZABCUVW";
+
+/// The address in capitals, alive as long as the tables; empty where it is none of theirs.
+std::string_view lasting(std::string_view capitals) {
+    if (capitals.size() == 1 && is_capital(capitals.front()))
+        return letters.substr(static_cast<std::size_t>(capitals.front() - 'A'), 1);
+    const WordRow* row = find_word(capitals);
+    return row == nullptr ? std::string_view{} : row->name;
+}
+
+/// `G01` is G1: leading zeros are ignored [FUND04 p.61].
+std::string code_name(std::string_view written) {
+    std::string name(1, to_capital(written.front()));
+    std::string_view digits = written.substr(1);
+    while (!digits.empty() && !is_digit(digits.front())) digits.remove_prefix(1);
+    while (digits.size() > 1 && digits.front() == '0' && is_digit(digits[1])) digits.remove_prefix(1);
+    if (digits.ends_with(".0") || digits.ends_with('.')) digits = digits.substr(0, digits.find('.'));
+    return name.append(digits);
+}
+
+} // namespace
+
+void BlockLowering::evaluate(ExpressionId value, Span here) {
+    const std::array values{value};
+    if (!literal_value(value)) builder_->add_values(values, here);
+}
+
+void BlockLowering::add_word(std::string_view address, std::optional<ExpressionId> value, Span here) {
+    const std::string_view name = lasting(address);
+    if (!name.empty()) builder_->add_word({name, written_value(value), false, here});
+}
+
+/// Axes move where no code takes their words for something else.
+void BlockLowering::add_motion() {
+    if (moves_ && !stays_) effect({Motion{}, block_});
+}
+
+void BlockLowering::lower_word(const Node& node) {
+    const std::string_view written = text(node);
+    const std::string address(1, to_capital(written.front()));
+    const Span here = span(node);
+    const ExpressionId value = lower_number(written.substr(1), here);
+    add_word(address, value, here);
+    switch (address.front()) {
+    case 'G': lower_code(code_name(written), here); break;
+    case 'M':
+        if (const auto number = literal_value(value)) lower_function_of_machine(*number, here);
+        break;
+    default:
+        moves_ |= axes.find(address.front()) != std::string_view::npos;
+        set_value(address.front(), value, here);
+        break;
+    }
+}
+
+/// Whether the code takes the words beside it for itself: G4 F2 is a dwell, G26 S2000 a limit.
+bool BlockLowering::takes_words(const Node& item) const {
+    std::optional<SettingOfCode> setting;
+    if (kind_of(item) == Kind::literal_word && to_capital(text(item).front()) == 'G')
+        setting = setting_of(code_name(text(item)));
+    if (kind_of(item) == Kind::command) setting = setting_of(upper_text(item));
+    return setting && setting->takes_axes;
+}
+
+/// Feed and speed.
+void BlockLowering::set_value(char letter, ExpressionId value, Span here) {
+    if (stays_ || (letter != 'F' && letter != 'S')) return;
+    const ModalRole role = letter == 'F' ? ModalRole::feed : ModalRole::speed;
+    effect({SetModal{program_->control->group_with(role), value}, here});
+}
+
+/// A G code of no group is a macro or a call of the machine's maker [MD10715]: nobody knows what it does.
+void BlockLowering::lower_code(std::string_view name, Span here) {
+    if (name == "G290") open_->foreign_language = false;
+    if (name == "G291") open_->foreign_language = true;
+    const std::optional<SettingOfCode> setting = setting_of(name);
+    if (!setting) return call_anything(here);
+    moves_ |= setting->moves;
+    if (setting->sets) effect({SetModal{setting->sets->group, literal(setting->sets->code, here)}, here});
+}
+
+void BlockLowering::lower_function_of_machine(double number, Span here) {
+    using namespace functions;
+    if (number == program_stop || number == optional_stop)
+        effect({Stop{Stop::Kind::pause, std::nullopt}, here});
+    if (number == end || number == end_and_back) effect({Stop{Stop::Kind::end, std::nullopt}, here});
+    if (number == end_of_subprogram) go_back({}, here);
+}
+
+void BlockLowering::lower_assignment(const Node& node) {
+    const Node* left = child(node, Field::left);
+    const Node* right = child(node, Field::right);
+    if (left == nullptr || right == nullptr) return;
+    const ExpressionId value =
+        kind_of(*right) == Kind::value_list ? lower_all(*right, span(*right)) : lower_expression(*right);
+    store(*left, value, span(node));
+}
+
+/// A variable, or a word whose address needs its `=`.
+void BlockLowering::store(const Node& target, ExpressionId value, Span whole) {
+    if (const std::optional<Variable> variable = variable_of(target))
+        return effect({Assign{*variable, value}, whole});
+    switch (kind_of(target)) {
+    case Kind::address:
+    case Kind::numbered_address: { // X1=10, S2=500: a numbered axis or spindle is no axis that is known
+        const std::string address = upper_text(target);
+        if (address == "G") { // the code is a calculation
+            effect({SetModal{std::nullopt, changing("", whole)}, whole});
+            break;
+        }
+        evaluate(value, whole);
+        if (kind_of(target) == Kind::address) {
+            add_word(address, value, whole);
+            set_value(address.front(), value, whole);
+            moves_ |= axes.find(address.front()) != std::string_view::npos;
+        }
+        if (address == "M") call_anything(whole);
+        break;
+    }
+    case Kind::indexed_address: {
+        const Node* address = child(target, Field::address);
+        const Node* index = child(target, Field::index);
+        if (address == nullptr || index == nullptr) break;
+        const std::string letter = upper_text(*address);
+        if (letter == "G") return set_group_by_number(*index, value, whole);
+        if (letter == "R") {
+            const Expression read = expression(lower_r(*index, span(target)));
+            if (const auto* load = std::get_if<Load>(&read.node))
+                return effect({Assign{load->variable, value}, whole});
+            if (const auto* at = std::get_if<LoadAt>(&read.node))
+                return effect({Assign{StoreAt{at->family, at->index}, value}, whole});
+        }
+        evaluate(lower_all(*index, whole), whole);
+        evaluate(value, whole);
+        break;
+    }
+    case Kind::name:
+        add_word(upper_text(target), value, whole);
+        evaluate(value, whole);
+        break;
+    case Kind::indexed_name:
+        if (const Node* index = child(target, Field::index)) evaluate(lower_all(*index, whole), whole);
+        evaluate(value, whole);
+        if (const Node* name = child(target, Field::name)) {
+            const std::string capitals = upper_text(*name);
+            moves_ |= capitals == "POS" || capitals == "POSA";
+        }
+        break;
+    case Kind::system_variable: {
+        const Expression read = expression(lower_system_variable(target));
+        if (const auto* owned = std::get_if<LoadMachine>(&read.node))
+            return effect({Assign{StoreMachine{owned->family, owned->number}, value}, whole});
+        evaluate(value, whole);
+        break;
+    }
+    default: evaluate(value, whole); break;
+    }
+}
+
+/// `G[14]=OLD`: the number of the group, and of its member [SV].
+void BlockLowering::set_group_by_number(const Node& index, ExpressionId value, Span whole) {
+    const Node* number = only_child(index);
+    const auto group = number == nullptr ? std::nullopt : literal_value(lower_expression(*number));
+    if (!group) return effect({SetModal{std::nullopt, changing("", whole)}, whole});
+    if (const auto row = row_of_g_group(static_cast<int>(*group)))
+        return effect({SetModal{*row, value}, whole});
+    evaluate(value, whole);
+}
+
+} // namespace maclint::sinumerik

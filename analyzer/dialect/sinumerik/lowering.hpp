@@ -1,0 +1,125 @@
+//! Turns the parse tree of one block into the program model.
+#pragma once
+
+#include "analyzer/dialect/sinumerik/kinds.hpp"
+#include "analyzer/dialect/sinumerik/open_program.hpp"
+#include "analyzer/dialect/tree_lowering.hpp"
+#include "analyzer/program/model.hpp"
+
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace maclint::sinumerik {
+
+/// Lowers blocks of programs. What it does not know may do anything: it is a call of an unknown program, or a
+/// value of which nothing is known.
+class BlockLowering : private TreeLowering {
+  public:
+    explicit BlockLowering(std::vector<SyntaxError>& syntax_errors)
+        : TreeLowering(syntax_errors, is_remark) {}
+
+    /// Adds the block to the program. `block` is where the tree's text stands in the file. The tree must be
+    /// free of errors; see diagnose.hpp for the others.
+    void lower(const syntax::Tree& tree, Span block, OpenProgram& program);
+    /// Adds a block whose text has errors, of which `head` tells what stands at its head.
+    void add_unreadable(const Block& head, OpenProgram& program);
+
+  private:
+    // ---- the block and its statements (lower.cpp)
+    [[nodiscard]] std::span<const Node* const> take_head(Block& block, std::span<const Node* const> items);
+    void take_label(Block& block, const Node& node);
+    [[nodiscard]] bool ends_foreign_language(Span block) const;
+    void lower_foreign();
+    void lower_item(const Node& node);
+    void lower_statement(const Node& node);
+    void mark(const Node& node, RegionKind region_kind, RegionMark::Part part,
+              std::optional<ExpressionId> condition);
+    void lower_action(const Node& node);
+
+    // ---- loops and jumps (lower_flow.cpp)
+    void lower_if(const Node& node);
+    void lower_for(const Node& node);
+    void end_for(const Node& node);
+    void lower_case(const Node& node);
+    void lower_jump(const Node& node);
+    void lower_guarded_jump(ExpressionId condition, const Node& jump, Span whole);
+    void restart_on_request(const Node& node);
+    void lower_repetition(const Node& node);
+    [[nodiscard]] ExpressionId jump_target(const Node& node);
+    [[nodiscard]] ExpressionId label_named(std::string_view name, Span span);
+    [[nodiscard]] ExpressionId nobody_knows(Span span);
+
+    // ---- programs and calls (lower_calls.cpp)
+    void lower_program_definition(const Node& node);
+    void lower_parameter(const Node& node);
+    void save_modes(Span here);
+    void go_back(std::optional<ExpressionId> label, Span here);
+    void lower_definition(const Node& node);
+    void lower_declarator(const Node& node, VariableType type);
+    void lower_named(const Node& name, const Node* arguments, const Node& whole);
+    bool report_letter_o(std::string_view capitals, Span here);
+    bool report_slip(std::string_view capitals, Span here);
+    void lower_procedure(std::string_view name, const Node* arguments, Span whole);
+    void call_program(Span name, const Node* arguments, CallKindId kind, Span whole);
+    void call_anything(Span whole);
+    void lower_modal_call(const Node& node);
+    void lower_other_call(const Node& node);
+    [[nodiscard]] std::vector<Argument> arguments_of(const Node* list);
+    [[nodiscard]] std::vector<ExpressionId> values_of(const Node* list);
+    [[nodiscard]] VariableType type_of(const Node& type) const;
+
+    // ---- words (lower_words.cpp)
+    void lower_word(const Node& node);
+    void lower_assignment(const Node& node);
+    void store(const Node& target, ExpressionId value, Span whole);
+    void lower_code(std::string_view name, Span span);
+    void set_value(char letter, ExpressionId value, Span span);
+    [[nodiscard]] bool takes_words(const Node& item) const;
+    void lower_function_of_machine(double number, Span span);
+    void set_group_by_number(const Node& target, ExpressionId value, Span whole);
+    void evaluate(ExpressionId value, Span span);
+    void add_word(std::string_view address, std::optional<ExpressionId> value, Span span);
+    void add_motion();
+
+    // ---- expressions (lower_expressions.cpp)
+    ExpressionId lower_expression(const Node& node);
+    ExpressionId lower_below(const Node& node);
+    ExpressionId lower_name(const Node& node);
+    ExpressionId lower_number(std::string_view text, Span span);
+    ExpressionId lower_indexed(const Node& node);
+    ExpressionId lower_system_variable(const Node& node);
+    ExpressionId lower_r(const Node& index, Span span);
+    ExpressionId lower_unary(const Node& node);
+    ExpressionId lower_binary(const Node& node);
+    ExpressionId lower_function(const Node& node);
+    ExpressionId lower_all(const Node& list, Span span);
+    /// A value of which nothing is known, and which may change by itself.
+    ExpressionId changing(std::string_view name, Span span);
+    [[nodiscard]] const Variable* variable_named(std::string_view name) const;
+    [[nodiscard]] std::optional<Variable> variable_of(const Node& node) const;
+
+    // ---- what is wrong with single nodes (lower_checks.cpp)
+    void check_tokens();
+    void check_token(const Node& node, const Node* parent);
+    void words_between_comparisons(const Node& comparison, Nodes& words) const;
+    void check_logic(const Node& comparison);
+    void check_number(const Node& word);
+    void file_wide_colon(const Node& label);
+    void check_alone(std::span<const Node* const> items);
+    void report_expected(Span span, std::string_view expected);
+
+    // ---- the tree
+    [[nodiscard]] const Node* child(const Node& node, Field field) const;
+    [[nodiscard]] const Node* parent_of(const Node& node) const;
+
+    OpenProgram* open_ = nullptr;
+    Nodes parents_;                      ///< of each node of the block
+    Nodes items_;                        ///< of the block
+    bool moves_ = false, stays_ = false; ///< words of axes; a code that takes them for something else
+    std::optional<ExpressionId> passes_; ///< P of a call
+};
+
+} // namespace maclint::sinumerik

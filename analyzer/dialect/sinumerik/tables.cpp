@@ -1,0 +1,185 @@
+//! The control, its variables, modal groups and calls.
+#include "analyzer/dialect/sinumerik/tables.hpp"
+
+#include "analyzer/dialect/sinumerik/g_codes.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+namespace maclint::sinumerik {
+namespace {
+
+/// What rules find a group by, and what a program may leave behind.
+struct GroupRole {
+    std::uint8_t group;
+    ModalRole role;
+    RestorePolicy restore;
+};
+
+// clang-format off
+constexpr GroupRole roles[] = {
+    { 1, ModalRole::motion,              RestorePolicy::none},
+    { 6, ModalRole::plane,               RestorePolicy::none},
+    { 7, ModalRole::cutter_compensation, RestorePolicy::none},
+    { 8, ModalRole::work_offset,         RestorePolicy::none},
+    {13, ModalRole::units,               RestorePolicy::none},
+    {14, ModalRole::distance,            RestorePolicy::state},
+    {15, ModalRole::feed_mode,           RestorePolicy::none},
+};
+// clang-format on
+
+constexpr int non_modal_moves = 2, frames = 3; ///< G groups
+constexpr std::uint8_t no_row = UINT8_MAX;
+
+/// Rows of the control by the numbers of their G groups.
+std::array<std::uint8_t, 256> rows_by_group() {
+    std::array<std::uint8_t, 256> rows{};
+    rows.fill(no_row);
+    std::uint8_t next = 0;
+    for (const GGroupRow& group : g_groups())
+        if (group.modal) rows[group.number] = next++;
+    return rows;
+}
+
+const std::array<std::uint8_t, 256>& group_rows() {
+    static const std::array<std::uint8_t, 256> rows = rows_by_group();
+    return rows;
+}
+
+std::vector<ModalGroup> modal_groups() {
+    std::vector<ModalGroup> groups;
+    for (const GGroupRow& row : g_groups()) {
+        if (!row.modal) continue;
+        ModalGroup& group = groups.emplace_back();
+        group.name = row.what;
+        group.letter = 'G';
+        group.source = "MD20150, NCI";
+        const auto* role = std::ranges::find(roles, row.number, &GroupRole::group);
+        if (role != std::end(roles)) {
+            group.role = role->role;
+            group.restore_policy = role->restore;
+            if (role->role == ModalRole::distance) group.customary = {1}; // G90
+        }
+        for (const GCodeRow& code : g_codes())
+            if (code.group == row.number) group.members.emplace_back(code.member, code.name);
+        std::ranges::sort(group.members, {}, &ModalMember::number);
+    }
+    groups.push_back({"feed", ModalRole::feed, 'F', RestorePolicy::none, {}, {}, {}, {}, "NCP19"});
+    groups.push_back({"spindle speed", ModalRole::speed, 'S', RestorePolicy::none, {}, {}, {}, {}, "NCP19"});
+    groups.push_back(
+        {"modal call", ModalRole::macro_call, 0, RestorePolicy::none, {}, {}, 0, 0, "SEED-004:460-474"});
+    return groups;
+}
+
+VariableFamily r_parameters() {
+    constexpr std::int32_t last = 32767; // MD28050 says how many there are
+    return {"R",
+            {{.first = 0,
+              .last = last,
+              .meaning = Meaning::variable,
+              .space = spaces::r,
+              .group = 0,
+              .on_write = OnWrite::store,
+              .changes_by_itself = false,
+              .what = "R parameter",
+              .source = "JP10 p.23, MD28050"}}};
+}
+
+/// System variables, those that the machine's maker defines, axes and macros: nobody knows their values.
+VariableFamily owned() {
+    return {"",
+            {{.first = 0,
+              .last = INT32_MAX,
+              .meaning = Meaning::machine,
+              .space = spaces::machine,
+              .group = 0,
+              .on_write = OnWrite::store,
+              .changes_by_itself = true,
+              .what = "value of the control",
+              .source = "SV"}}};
+}
+
+/// Rules that were held against programs of the language, sorted.
+constexpr std::string_view rules_tried[] = {"MAC001", "MAC002", "MAC003", "MAC004", "MAC106", "MAC109",
+                                            "MAC117", "MAC118", "MAC121", "MAC126", "MAC129", "MAC301",
+                                            "MAC319", "MAC320", "MAC321", "MAC340", "MAC412", "MAC457",
+                                            "MAC472", "MAC501", "MAC702", "MAC728"};
+static_assert(std::ranges::is_sorted(rules_tried));
+
+ControlModel make() {
+    ControlModel control;
+    control.name = "sinumerik";
+    control.language = "sinumerik";
+    control.model = "sinumerik";
+    control.description = "SIEMENS SINUMERIK 840D sl, 828D, 808D, ONE";
+    control.has_block_if = true;
+    control.calculator_input = true;
+    control.assumed = false;
+    control.return_word = "M17";
+    control.region_words = {
+        {RegionKind::choice, "IF", "ENDIF"},           {RegionKind::while_loop, "WHILE", "ENDWHILE"},
+        {RegionKind::endless_loop, "LOOP", "ENDLOOP"}, {RegionKind::counting_loop, "FOR", "ENDFOR"},
+        {RegionKind::until_loop, "REPEAT", "UNTIL"},
+    };
+    control.rules_tried = rules_tried;
+    // How deep loops may stand in each other no public page tells [language.md 11.1].
+    control.limits = {.macro_calls = 0,
+                      .subprogram_calls = 15,
+                      .loop_levels = 0,
+                      .first_loop_number = 0,
+                      .last_loop_number = 0,
+                      .bracket_levels = 0,
+                      .source = "NCP23 p.490"};
+    // clang-format off
+    control.spaces = {
+        {"R parameter",          "R", false, Scope::retained, InitialValue::old_value, "JP10 p.23"},
+        {"local variable",       "",  true,  Scope::frame,    InitialValue::zero,      "NCP19 p.409, T808 p.126"},
+        {"parameter",            "",  true,  Scope::frame,    InitialValue::zero,      "NCP19 p.494"},
+        {"value of the control", "",  false, Scope::machine,  InitialValue::old_value, "SV"},
+    };
+    control.families = {r_parameters(), owned()};
+    control.groups = modal_groups();
+    control.calls = {
+        {"call of a subprogram", Frame::fresh, NestingLimit::subprogram, CallTrigger::once, 0, "NCP23 p.490"},
+        {"call of a cycle",      Frame::fresh, NestingLimit::subprogram, CallTrigger::once, 0, "SCYC", LookupScope::everywhere, true},
+        {"MCALL",                Frame::fresh, NestingLimit::subprogram, CallTrigger::after_each_motion, 1, "SEED-004:460-474"},
+    };
+    // clang-format on
+    control.vacant_equals_zero = true;
+    control.loops_left_by_jump = true;
+    return checked(std::move(control));
+}
+
+} // namespace
+
+std::optional<GroupId> row_of_g_group(int group) {
+    if (group < 0 || group >= static_cast<int>(group_rows().size())) return std::nullopt;
+    const std::uint8_t row = group_rows()[static_cast<std::size_t>(group)];
+    return row == no_row ? std::nullopt : std::optional<GroupId>(row);
+}
+
+std::optional<SettingOfCode> setting_of(std::string_view capitals) {
+    const GCodeRow* code = find_g_code(capitals);
+    if (code == nullptr) return std::nullopt;
+    SettingOfCode setting;
+    if (const auto row = row_of_g_group(code->group))
+        setting.sets = GroupCode{*row, static_cast<double>(code->member)};
+    setting.takes_axes = code->group == frames || code->name == "G4";
+    setting.moves = code->group == non_modal_moves && !setting.takes_axes;
+    return setting;
+}
+
+GroupId modal_call_group() {
+    static const auto group = static_cast<GroupId>(control().groups.size() - 1);
+    return group;
+}
+
+const ControlModel& control() {
+    static const ControlModel model = make();
+    return model;
+}
+
+} // namespace maclint::sinumerik

@@ -1,0 +1,66 @@
+//! SINUMERIK 840D sl, 828D, 808D and ONE: variables, modal groups and calls, as rows of facts. Keys of
+//! sources are those of docs/sources.md.
+#pragma once
+
+#include "analyzer/program/tables.hpp"
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string_view>
+
+namespace maclint::sinumerik {
+
+/// Rows of ControlModel::spaces.
+namespace spaces {
+constexpr SpaceId r = 0, local = 1, parameter = 2, machine = 3;
+} // namespace spaces
+
+/// Rows of ControlModel::families.
+namespace families {
+constexpr FamilyId r = 0, ///< R[…]
+    system = 1;           ///< what the control or its maker owns
+} // namespace families
+
+/// Rows of ControlModel::calls.
+namespace calls {
+constexpr CallKindId by_name = 0, cycle = 1, modal = 2;
+} // namespace calls
+
+/// What a written code sets, with or without a number: "G18", "DIAMON". The group is a row of
+/// ControlModel::groups.
+struct SettingOfCode {
+    std::optional<GroupCode> sets; ///< nothing: the code acts in its block alone
+    bool moves = false;            ///< axes move without a word of theirs
+    bool takes_axes = false;       ///< words of axes beside it are no target of a move
+};
+/// Nothing for a code of no group.
+[[nodiscard]] std::optional<SettingOfCode> setting_of(std::string_view capitals);
+
+/// G290 and G291: the blocks between them are of another language [T].
+[[nodiscard]] constexpr bool switches_language(std::size_t code) {
+    constexpr std::size_t own = 290, foreign = 291;
+    return code == own || code == foreign;
+}
+
+/// Functions of the machine that the flow depends on: M0 and M1 wait, M2, M30 and M17 end a program [NCP19
+/// p.45].
+namespace functions {
+constexpr double program_stop = 0, optional_stop = 1, end = 2, end_and_back = 30, end_of_subprogram = 17;
+} // namespace functions
+[[nodiscard]] constexpr bool acts_on_flow(double number) {
+    return number == functions::program_stop || number == functions::optional_stop ||
+           number == functions::end || number == functions::end_and_back ||
+           number == functions::end_of_subprogram;
+}
+
+/// The row of ControlModel::groups for a G group of the language; nothing where it is not modal.
+[[nodiscard]] std::optional<GroupId> row_of_g_group(int group);
+/// "MCALL", on and off.
+[[nodiscard]] GroupId modal_call_group();
+
+/// The one control so far: "sinumerik".
+[[nodiscard]] const ControlModel& control();
+
+} // namespace maclint::sinumerik
