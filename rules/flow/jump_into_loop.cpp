@@ -1,4 +1,5 @@
 //! MAC303: a jump to the inside of a loop.
+#include "analyzer/program/tables.hpp"
 #include "analyzer/workspace/program_analysis.hpp"
 #include "rules/path.hpp"
 #include "rules/rule.hpp"
@@ -19,14 +20,20 @@ extern const Rule jump_into_loop{
     .why = "The control never passed the DO: at the END it raises an alarm or repeats from a "
            "place that it does not know.",
     .severity = Severity::error,
+    .severity_elsewhere = {{"sinumerik", Severity::warning}},
     .precision = Precision::very_high,
     .needs = {Capability::jumps},
     .data_flow = true,
     .stands_without_path = true,
-    .messages = {{"plain",
-                  "Jump into a loop: '{0}' enters the loop of '{1}' (line {2}) from outside, which the "
-                  "control forbids.",
-                  "Jump to a block before line {2} instead."}},
+    .messages =
+        {{"plain",
+          "Jump into a loop: '{0}' enters the loop of '{1}' (line {2}) from outside, which the "
+          "control forbids.",
+          "Jump to a block before line {2} instead."},
+         {"advised-against",
+          "Jump into a loop: '{0}' enters the loop of '{1}' (line {2}) from outside, which the manual "
+          "advises against: the control has not passed its beginning.",
+          "Jump to a block before line {2} instead."}},
     .bad = {{"fanuc", R"nc(
 O9303(ROW)
 #100=0
@@ -36,6 +43,14 @@ N20 G91 G0 X10.
 G90
 #100=#100+1
 END1
+M30
+)nc"},
+            {"sinumerik", R"nc(
+IF R1==1 GOTOF MIDDLE
+FOR R2=0 TO 4
+G0 X=R2
+MIDDLE: G1 Z=-R2
+ENDFOR
 M30
 )nc"}},
     .good = {{"fanuc", R"nc(
@@ -50,7 +65,7 @@ G90
 END1
 M30
 )nc"}},
-    .sources = {"SEED-001:403", "SEED-001:704-707"},
+    .sources = {"SEED-001:403", "SEED-001:704-707", "JP11d p.107"},
     .check = &check,
 };
 
@@ -70,6 +85,9 @@ std::optional<flow::RegionId> entered_by(const ProgramAnalysis& analysis, Offset
 
 void check(const ProgramAnalysis& analysis, Reporter& reporter) {
     const Program& program = analysis.program();
+    // Languages whose loops have closing words of their own look for these as text.
+    const bool searched = analysis.control().has(Capability::paired_words);
+    const std::string_view told = searched ? "advised-against" : "plain";
     // A block that cannot be read may be the END before the label.
     if (analysis.regions().balance_unknown) return;
     for (const flow::ResolvedJump& jump : analysis.graph().jumps) {
@@ -79,11 +97,12 @@ void check(const ProgramAnalysis& analysis, Reporter& reporter) {
         if (!loop) continue;
         const Span open = program.effects[analysis.regions().all[*loop].open].span;
         Finding& finding = reporter.report(
-            {analysis, jump.jump}, span, "plain",
+            {analysis, jump.jump}, span, told,
             {quoted(program, span), quoted(program, open), line_number(analysis.file(), open.begin)});
         for (const flow::LabelledBlock& target : targets)
             finding.related.push_back(
-                {analysis.source(), target.span, "this sequence number is inside the loop"});
+                {analysis.source(), target.span,
+                 searched ? "this label is inside the loop" : "this sequence number is inside the loop"});
         finding.related.push_back({analysis.source(), open, "the loop begins here"});
         trace(finding, analysis, jump.node, "jumps into the loop");
     }

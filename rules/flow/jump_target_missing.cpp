@@ -105,7 +105,8 @@ void check(const ProgramAnalysis& analysis, Reporter& reporter) {
         if (!near.empty()) words.push_back(std::move(near));
         Finding& finding = reporter.report({analysis, jump}, span, message, std::move(words));
         if (message != "impossible") finding.same_cause = "program " + std::to_string(analysis.index());
-        trace(finding, analysis, node, "there is no such sequence number");
+        trace(finding, analysis, node,
+              message == "named" ? "there is no such label" : "there is no such sequence number");
     };
     for (const flow::ResolvedJump& jump : analysis.graph().jumps) {
         const auto& effect = std::get<Jump>(program.effects[jump.jump].what);

@@ -34,13 +34,18 @@ constexpr GroupRole roles[] = {
 constexpr int non_modal_moves = 2, frames = 3; ///< G groups
 constexpr std::uint8_t no_row = UINT8_MAX;
 
+/// Of a group without codes nothing can be known.
+bool is_followed(const GGroupRow& group) {
+    return group.modal && std::ranges::find(g_codes(), group.number, &GCodeRow::group) != g_codes().end();
+}
+
 /// Rows of the control by the numbers of their G groups.
 std::array<std::uint8_t, 256> rows_by_group() {
     std::array<std::uint8_t, 256> rows{};
     rows.fill(no_row);
     std::uint8_t next = 0;
     for (const GGroupRow& group : g_groups())
-        if (group.modal) rows[group.number] = next++;
+        if (is_followed(group)) rows[group.number] = next++;
     return rows;
 }
 
@@ -52,7 +57,7 @@ const std::array<std::uint8_t, 256>& group_rows() {
 std::vector<ModalGroup> modal_groups() {
     std::vector<ModalGroup> groups;
     for (const GGroupRow& row : g_groups()) {
-        if (!row.modal) continue;
+        if (!is_followed(row)) continue;
         ModalGroup& group = groups.emplace_back();
         group.name = row.what;
         group.letter = 'G';
@@ -105,8 +110,8 @@ VariableFamily owned() {
 /// Rules that were held against programs of the language, sorted.
 constexpr std::string_view rules_tried[] = {"MAC001", "MAC002", "MAC003", "MAC004", "MAC106", "MAC109",
                                             "MAC117", "MAC118", "MAC121", "MAC126", "MAC129", "MAC301",
-                                            "MAC319", "MAC320", "MAC321", "MAC340", "MAC412", "MAC457",
-                                            "MAC472", "MAC501", "MAC702", "MAC728"};
+                                            "MAC303", "MAC319", "MAC320", "MAC321", "MAC340", "MAC412",
+                                            "MAC457", "MAC472", "MAC501", "MAC702", "MAC728"};
 static_assert(std::ranges::is_sorted(rules_tried));
 
 ControlModel make() {
