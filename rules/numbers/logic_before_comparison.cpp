@@ -13,7 +13,9 @@ extern const Rule logic_before_comparison{
     .precision = Precision::high,
     .needs = {Capability::paired_words},
     .messages = {{"cure", "Logic before comparison: in '{0}' AND and OR join the values beside them.",
-                  "Write '{1}'."}},
+                  "Write '{1}'."},
+                 {"plain", "Logic before comparison: in '{0}' AND and OR join the values beside them.",
+                  "Put each comparison in brackets."}},
     .bad = {{"sinumerik", R"nc(
 IF R1==1 AND R2<>0 GOTOF READY
 G0 X100

@@ -66,6 +66,15 @@ std::optional<SyntaxError> case_without_jump(std::string_view text, std::span<co
     return error_at(text, SyntaxErrorKind::unreadable, word->span, "a jump such as GOTOF behind it");
 }
 
+/// `WHLIE R1<5`
+std::optional<SyntaxError> misspelled_opener(std::string_view text, std::span<const Token> tokens) {
+    const auto word = std::ranges::find(tokens, TokenKind::name, &Token::kind);
+    if (word == tokens.end() || word != tokens.begin()) return std::nullopt;
+    const std::string_view meant = opener_meant_by(in_capitals(text_of(text, *word)));
+    if (meant.empty()) return std::nullopt;
+    return error_at(text, SyntaxErrorKind::unknown_keyword, word->span, std::string(meant));
+}
+
 char closer_of(char open) { return open == '(' ? ')' : ']'; }
 
 std::optional<SyntaxError> bracket_mismatch(std::string_view text, std::span<const Token> tokens) {
@@ -114,8 +123,8 @@ SyntaxError find_parse_error(std::string_view text, Span block, const syntax::Tr
 
 std::optional<SyntaxError> find_cause(std::string_view text, Span block) {
     const std::vector<Token> tokens = tokens_of(text, block);
-    for (const auto cause :
-         {&bare_remark, &unclosed_text, &placeholder, &bracket_mismatch, &case_without_jump})
+    for (const auto cause : {&bare_remark, &unclosed_text, &placeholder, &bracket_mismatch,
+                             &case_without_jump, &misspelled_opener})
         if (std::optional<SyntaxError> found = cause(text, tokens)) return found;
     return std::nullopt;
 }

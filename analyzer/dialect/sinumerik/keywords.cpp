@@ -37,6 +37,7 @@ std::string_view closer_meant_by(std::string_view capitals) {
     if (capitals == "ENDREPEAT") return "UNTIL";
     return one_slip_from(closers, capitals);
 }
+std::string_view opener_meant_by(std::string_view capitals) { return one_slip_from(openers, capitals); }
 std::string_view jump_meant_by(std::string_view capitals) { return one_slip_from(jumps, capitals); }
 
 } // namespace maclint::sinumerik

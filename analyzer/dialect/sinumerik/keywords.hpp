@@ -11,6 +11,8 @@ namespace maclint::sinumerik {
 /// The word that closes a loop or a branch, one slip away from this one; empty: none is. Any name may be a
 /// program: only one that stands alone in its block can be meant for a keyword.
 [[nodiscard]] std::string_view closer_meant_by(std::string_view capitals);
+/// The word that opens a loop or a branch, likewise, at the head of a block that cannot be read.
+[[nodiscard]] std::string_view opener_meant_by(std::string_view capitals);
 /// The word of a jump, likewise; it has a label behind it.
 [[nodiscard]] std::string_view jump_meant_by(std::string_view capitals);
 
