@@ -3,6 +3,7 @@
 #include "cli/report/alarm_page.hpp"
 #include "cli/report/force_words.hpp"
 #include "cli/report/mentions.hpp"
+#include "cli/report/sources.hpp"
 #include "cli/report/variable_page.hpp"
 #include "tests/support/in_repository.hpp"
 
@@ -58,6 +59,22 @@ TEST_F(Explain, WritesJsonForTools) {
     EXPECT_TRUE(jump["pages"].empty());
     EXPECT_EQ(jump["meant"][0]["code"].get<std::string>().substr(0, 3), "MAC");
     EXPECT_EQ(run({"explain", "nosuchrule", "--format", "json"}).status, 2);
+}
+
+TEST(SourceSentence, IsReadByWhoDoesNotKnowTheKeys) {
+    EXPECT_THAT(cli::source_sentence("SEED-001:403"),
+                AllOf(StartsWith("Joni Nieminen"), HasSubstr(", line 403 of its text (SEED-001:403)")));
+    EXPECT_THAT(cli::source_sentence("SEED-002:518-525"),
+                HasSubstr(", lines 518-525 of its text (SEED-002:518-525)"));
+    EXPECT_EQ(cli::source_sentence("T: search order"), "T (experience, not confirmed): search order");
+    EXPECT_THAT(cli::source_sentence("HAAS-118"), testing::EndsWith("expressions of macros (HAAS-118)"));
+    EXPECT_EQ(cli::source_sentence("no such key"), "no such key");
+}
+
+TEST_F(Explain, SaysWhatAPrecisionMeans) {
+    const auto json = nlohmann::json::parse(page({"MAC303", "--format", "json"}));
+    EXPECT_THAT(json["pages"][0]["text"].get<std::string>(),
+                HasSubstr("Very high: of 20 findings at least 19 are worth acting on."));
 }
 
 TEST_F(Explain, FindsRulesByWhatTheirSummariesSay) {

@@ -16,7 +16,7 @@ using testing::Not;
 
 constexpr std::string_view lathe =
     "%\nO2\nG50 S2000\nT0101\nG0 X60. Z2.\nG71 U2. R1.\nG71 P1 Q2 U0.4 W0.1 F0.3\nN1 G0 X20.\n"
-    "G1 Z-20.\nN2 X50.\nG70 P1 Q2\nM68\nM30\n%\n";
+    "G1 Z-20.\nN2 X50.\nG70 P1 Q2\nM851\nM30\n%\n";
 
 class Init : public InRepository {
   protected:
@@ -37,7 +37,7 @@ class Init : public InRepository {
 
 TEST_F(Init, WritesAConfigurationThatHoldsForTheFolder) {
     folder.write("O1000.nc", without_defect);
-    EXPECT_THAT(held("O1000.nc"), HasSubstr("control        Mill, Mill (FANUC"));
+    EXPECT_THAT(held("O1000.nc"), HasSubstr("control        fanuc, Mill (FANUC"));
     EXPECT_THAT(read_file(folder.path() / ".maclint.json"),
                 AllOf(HasSubstr("// 1 file taken for: fanuc"), HasSubstr("\"model\": \"fanuc\""),
                       Not(HasSubstr(",\n}")), HasSubstr("no program says which series")));
@@ -49,9 +49,9 @@ TEST_F(Init, NamesLathesByTheirFolder) {
     EXPECT_THAT(shown(),
                 AllOf(HasSubstr("\"machine\": \"lathe\""),
                       HasSubstr("{ \"glob\": \"lathe/**\", \"control\": \"Lathe\" }"),
-                      HasSubstr("{ \"glob\": \"mill/**\", \"control\": \"Mill\" }"), HasSubstr("M68")));
-    EXPECT_THAT(held("lathe/O2.nc"), HasSubstr("control        Lathe"));
-    EXPECT_THAT(run({"--show-config", "mill/O1000.nc"}).out, HasSubstr("control        Mill"));
+                      HasSubstr("{ \"glob\": \"mill/**\", \"control\": \"Mill\" }"), HasSubstr("M851")));
+    EXPECT_THAT(held("lathe/O2.nc"), HasSubstr("control        fanuc-lathe, Lathe ("));
+    EXPECT_THAT(run({"--show-config", "mill/O1000.nc"}).out, HasSubstr("control        fanuc, Mill ("));
     EXPECT_THAT(run({}).err, Not(HasSubstr("takes no program"))) << "all globs are of use";
 }
 

@@ -33,8 +33,8 @@ class Renumber : public InRepository {
     /// Codes and lines of what is found.
     [[nodiscard]] std::string findings() const {
         std::string all;
-        for (const auto& finding :
-             nlohmann::json::parse(run({"--format", "json", "--select", "ALL", "O1.nc"}).out)["findings"])
+        const auto report = nlohmann::json::parse(run({"--format", "json", "--select", "ALL", "O1.nc"}).out);
+        for (const auto& finding : report["findings"])
             all += finding["code"].get<std::string>() + " " + finding["range"]["start"]["line"].dump() + "\n";
         return all;
     }
