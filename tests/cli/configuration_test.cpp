@@ -297,7 +297,7 @@ TEST(Configuration, TellsUnknownKeysWithTheirPlaceAndTheLikelyOne) {
     EXPECT_THAT(refusal(R"({"encoding": "utf8"})"), HasSubstr("Did you mean 'utf-8'?"));
     EXPECT_THAT(refusal(R"({"ignore": "MAC301"})"), HasSubstr("must be a list"));
     EXPECT_THAT(refusal(R"({"complete": 1})"), HasSubstr("true or false"));
-    EXPECT_THAT(refusal("{"), HasSubstr("this is no JSON"));
+    EXPECT_THAT(refusal("{"), HasSubstr("the file ends too early"));
 }
 
 TEST(Configuration, RefusesWordsThatNameNoRuleWhereverTheyStand) {

@@ -442,7 +442,8 @@ TEST_F(Executable, ExplainsARuleByAPartOfItsCodeOrName) {
 TEST_F(Executable, ExplainsWithTheLineMarkedTheSourcesResolvedAndLinesWrapped) {
     const Finished page = run({"explain", "MAC301"});
     EXPECT_THAT(page.out, HasSubstr("\n    O9301(CHECK)\n  > IF[#100EQ1]GOTO70\n    #100=1\n"));
-    EXPECT_THAT(page.out, HasSubstr("\n    NCT-188\n        NCT 99M/2000M, programmer's manual"));
+    EXPECT_THAT(page.out,
+                HasSubstr("\n    NCT 99M/2000M, programmer's manual, the page of that number (NCT-188)\n"));
     std::istringstream lines(page.out);
     for (std::string line; std::getline(lines, line);) EXPECT_LE(line.size(), 80U) << line;
     EXPECT_THAT(page.out, Not(HasSubstr("\x1B")));
