@@ -80,15 +80,6 @@ M99
 N99#3000=101(D)
 )nc"}},
     .good = {{"fanuc", R"nc(
-O0001(WITHOUT A POINT IT MAY BE 0.1)
-G65P9474X100
-M30
-O9474(X UP TO 50)
-IF[#24GT50]THEN#3000=1(X)
-G0X#24
-M99
-)nc"},
-             {"fanuc", R"nc(
 O0001(MAIN)
 IF[#500GT0]GOTO5
 G65P9472

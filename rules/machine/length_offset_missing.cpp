@@ -46,17 +46,6 @@ G0 Z50.
 M30
 )nc"},
             {"fanuc", R"nc(
-O9571(THE FIRST TOOL IS IN THE SPINDLE)
-G90 G54 G0 X100. Y80.
-G43 H2 Z50. S1000 M3
-G1 Z-3. F100.
-X0
-T3 M6
-G0 X0 Y0
-G1 Z-3. F100.
-M30
-)nc"},
-            {"fanuc", R"nc(
 O9568(SHAFT)
 G28 U0 W0
 G21 G40 G97 G99
@@ -84,17 +73,6 @@ G0 X25. Y25.
 G43 H2 Z50.
 G1 Z-12. F100.
 G0 Z50.
-M30
-)nc"},
-             {"fanuc", R"nc(
-O9570(OFFSET AT THE START, NO HABIT)
-G90 G17 G54 G49
-G43 H1 Z100.
-T1 M6
-S3000 M3
-G0 X0 Y0
-G0 Z5.
-G1 Z-5. F200.
 M30
 )nc"},
              {"fanuc", R"nc(

@@ -63,15 +63,6 @@ RETURN
 END
 )nc"}},
     .good = {{"fanuc", R"nc(
-O0212(PLATE)
-#100=20
-G65 P9212 A6. Z3.
-M30
-O9212(WHERE THE CALLER'S #100 POINTS)
-G90 G0 X#[#100+#1]
-M99
-)nc"},
-             {"fanuc", R"nc(
 O0211(PLATE)
 G65 P9211 Z-5. Q2. F100.
 M30
