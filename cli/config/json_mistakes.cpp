@@ -77,11 +77,10 @@ JsonError mistake_at(std::string_view text, Offset at, std::string_view reason) 
         return {at, "a backslash stands for nothing here",
                 "Write '/' between folders, on Windows, too, and \\\\ for a backslash itself"};
     const char here = at < text.size() ? text[at] : ' ';
-    const std::string word(word_at(text, at));
     if (says("invalid literal") && here == '\'')
-        return {at, "texts stand in double quotes", "Write \"" + word + "\""};
-    if (says("invalid literal") && !word.empty())
-        return {at, "'" + word + "' has no quotes", "Write \"" + word + "\""};
+        return {at, "texts stand in double quotes", "Write \" in place of '"};
+    if (says("invalid literal") && !word_at(text, at).empty())
+        return {at, "a word has no quotes", "Write it in \" \""}; // not which: the file may be none of ours
     // "while parsing object - unexpected string literal; expected '}'"
     const bool is_in_list = says("while parsing object -") || says("while parsing array -");
     if (is_in_list && (says("unexpected string") || says("unexpected number") || says("unexpected '[") ||

@@ -57,7 +57,7 @@ void declare_fixes(CLI::App& check, CheckWords& words) {
                    "Print what --fix or --add-suppressions would change, and change nothing");
     check.add_flag("--add-suppressions", words.add_suppressions,
                    "Write a comment that allows it for each finding from --fail-on on");
-    check.add_option("--reason", words.reason, "Beside --add-suppressions: why they are allowed")
+    check.add_option("--reason", words.reason, "Why they are allowed, for --add-suppressions")
         ->type_name("TEXT");
 }
 

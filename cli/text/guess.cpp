@@ -100,14 +100,15 @@ std::vector<std::string> likely(std::string_view word, std::span<const std::stri
         for (const auto& found :
              {those(candidates, [&](const std::string& name) { return name.starts_with(given); }),
               those(candidates, [&](const std::string& name) { return is_short_for(given, name); }),
-              those(candidates, [&](const std::string& name) { return has_words(name, given); }),
-              those(candidates, [&](const std::string& name) {
-                  return name.size() >= least_part && given.starts_with(name);
-              })})
+              those(candidates, [&](const std::string& name) { return has_words(name, given); })})
             if (!found.empty()) return found;
     }
-    const auto nearest = closest(word, candidates);
-    return nearest ? std::vector<std::string>{*nearest} : std::vector<std::string>{};
+    if (const auto nearest = closest(word, candidates)) return {*nearest};
+    return those(candidates, [&](const std::string& name) {
+        const auto is_longer = [&](const std::string& other) { return adds_words(compared(other), name); };
+        return name.size() >= least_part && given.size() <= longest_word && given.starts_with(name) &&
+               std::ranges::none_of(candidates, is_longer);
+    });
 }
 
 std::string meant(const std::vector<std::string>& words) {

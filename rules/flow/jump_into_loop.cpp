@@ -65,7 +65,7 @@ G90
 END1
 M30
 )nc"}},
-    .sources = {"SEED-001:403", "SEED-001:704-707", "JP11d p.107"},
+    .sources = {"SEED-001:403", "SEED-001:704-707", "JP11 p.107"},
     .check = &check,
 };
 

@@ -52,7 +52,7 @@ G0 X0
 ENDIF
 M30
 )nc"}},
-    .sources = {"JP11d p.107", "NCI 4.1.7"},
+    .sources = {"JP11 p.107", "NCI 4.1.7"},
     .check = &check,
 };
 

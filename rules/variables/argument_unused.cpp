@@ -44,15 +44,6 @@ IF[#17EQ#0]GOTO1
 G0 Z[#26+#17]
 N1 M99
 )nc"},
-            {"fanuc", R"nc(
-O0212(PLATE)
-G65 P9212 D2. X155. H2.
-M30
-O9212(EDGE, X, D IS THE NUMBER OF THE RADIUS)
-#33=#[2400+#7]
-G90 G0 X[#24+#33]
-M99
-)nc"},
             {"dinplus", R"nc(
 MACHINING
 N10 L"CHAMFER" LA50 LB2

@@ -79,8 +79,9 @@ TEST(JsonTree, TakesACommaBeforeAClosingBracket) {
 
 TEST(Configuration, TellsWhatToWriteInPlaceOfWhatIsNoJson) {
     EXPECT_EQ(refusal("{\n 'select': []}"),
-              "line 2, column 2: texts stand in double quotes. Write \"select\".");
-    EXPECT_EQ(refusal("{\n \"exclude\": [old]}"), "line 2, column 14: 'old' has no quotes. Write \"old\".");
+              "line 2, column 2: texts stand in double quotes. Write \" in place of '.");
+    EXPECT_EQ(refusal("{\n \"exclude\": [old]}"),
+              "line 2, column 14: a word has no quotes. Write it in \" \".");
     EXPECT_THAT(
         refusal("{ \"exclude\": [\"mill\\*.nc\"]}"),
         AllOf(HasSubstr("a backslash stands for nothing here"), HasSubstr("Write '/' between folders")));
@@ -307,7 +308,8 @@ TEST(Configuration, RefusesWordsThatNameNoRuleWhereverTheyStand) {
         EXPECT_THAT(refusal(text), AllOf(HasSubstr("column " + std::to_string(text.find("\"MAC3O1\"") + 1)),
                                          HasSubstr("there is no rule 'MAC3O1'. Did you mean 'MAC301'?")))
             << text;
-    EXPECT_THAT(refusal(R"({"select": ["JUMP"]})"), HasSubstr("See 'maclint rules'"));
+    EXPECT_THAT(refusal(R"({"select": ["JUMP"]})"),
+                HasSubstr("Did you mean 'jump-target-missing' or 'jump-into-loop'?"));
     EXPECT_THAT(refusal(R"({"select": ["all", "mac3", "Jump-Into-Loop"]})"), "accepted");
 }
 

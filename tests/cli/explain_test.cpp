@@ -78,7 +78,7 @@ TEST_F(Explain, SaysWhatAPrecisionMeans) {
 }
 
 TEST_F(Explain, FindsRulesByWhatTheirSummariesSay) {
-    EXPECT_THAT(page({"vacant argument"}), HasSubstr("may be meant by 'vacant argument'"));
+    EXPECT_THAT(page({"work offset"}), HasSubstr("may be meant by 'work offset'"));
     EXPECT_THAT(run({"explain", "is to"}).err, HasSubstr("there is no rule 'is to'")) << "too short to tell";
 }
 

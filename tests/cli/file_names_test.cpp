@@ -52,11 +52,15 @@ TEST_F(Backslash, DoesNotEndAFolder) {
                       HasSubstr("(1 checked, 2 files with other names passed over)")));
 }
 
-TEST_F(Backslash, StandsForItselfInGlobs) {
+TEST_F(Backslash, IsRefusedInGlobs) {
     folder.write("a\\b.nc", with_defect);
     folder.write("c\\d/O1.nc", with_defect);
     EXPECT_EQ(run({}).status, 1);
-    configure(R"({"exclude": ["a\\b.nc"], "per-file-ignores": {"c\\?/*": ["MAC301"]}})");
+    configure(R"({"exclude": ["a\\b.nc"]})");
+    EXPECT_THAT(run({"--format", "concise"}).err,
+                HasSubstr("has a backslash, which separates nothing in one. Write \"a/b.nc\""))
+        << "most who write it mean a folder";
+    configure(R"({"exclude": ["a?b.nc"], "per-file-ignores": {"c?d/*": ["MAC301"]}})");
     EXPECT_EQ(run({"--format", "concise"}).out, "no findings (1 checked)\n");
     configure(R"({"exclude": ["a/b.nc", "c/d"]})");
     EXPECT_THAT(run({"--format", "concise"}).out, HasSubstr("2 errors in 2 files"));

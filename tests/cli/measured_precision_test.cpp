@@ -68,9 +68,11 @@ TEST(MeasuredPrecision, DoesNotHideTheNotesOfOtherRules) {
 TEST(MeasuredPrecision, StandsOnThePage) {
     for (const MeasuredRule& entry : all_measured_rules()) {
         const Rule& rule = rule_with(entry.code);
-        EXPECT_THAT(markdown_page(rule), HasSubstr(precision_of(rule, &entry) + " O")) << entry.code;
+        EXPECT_THAT(markdown_page(rule), HasSubstr(precision_of(rule, &entry) + " ")) << entry.code;
     }
-    EXPECT_THAT(markdown_page(rule_with("MAC001")), HasSubstr(", estimated. On by default."));
+    EXPECT_THAT(
+        markdown_page(rule_with("MAC001")),
+        HasSubstr(", estimated. Very high: of 20 findings at least 19 are worth acting on. On by default."));
 }
 
 } // namespace

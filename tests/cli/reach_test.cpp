@@ -14,6 +14,7 @@ namespace {
 
 namespace fs = std::filesystem;
 using testing::AllOf;
+using testing::AnyOf;
 using testing::HasSubstr;
 using testing::IsEmpty;
 using testing::Not;
@@ -264,9 +265,10 @@ TEST_F(Configurations, AreNotQuotedWhereTheyAreNone) {
     for (const char* text :
          {"root:x:0:0:the secret\n", "\"the secret\n\"", "{\"a\": the secret}", "{\"a\" 1e999}"}) {
         folder.write("plain/.maclint.json", text);
-        EXPECT_THAT(check("plain").err, AllOf(StartsWith("maclint: error: .maclint.json: line 1, column "),
-                                              HasSubstr("this is no JSON: "), Not(HasSubstr("secret")),
-                                              Not(HasSubstr("root:")), Not(HasSubstr("999"))))
+        EXPECT_THAT(check("plain").err,
+                    AllOf(StartsWith("maclint: error: .maclint.json: line 1, column "),
+                          AnyOf(HasSubstr("this is no JSON: "), HasSubstr("a word has no quotes")),
+                          Not(HasSubstr("secret")), Not(HasSubstr("root:")), Not(HasSubstr("999"))))
             << text;
     }
 }

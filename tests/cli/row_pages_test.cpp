@@ -30,7 +30,8 @@ TEST_F(RowPages, AreShownForAKeyOrAnAlias) {
                       HasSubstr("Where it holds:\n\n    fanuc mills, on fanuc, fanuc-16i or fanuc-0i-c\n"),
                       HasSubstr("FANUC 30i/0i-D: 045 ADDRESS Q NOT FOUND (G73/G83)\n"),
                       HasSubstr("    (MACLINT ALLOW MAC523/G83.Q - REASON)\n"), HasSubstr("\nBad (fanuc):\n"),
-                      HasSubstr("\nGood (fanuc):\n"), HasSubstr("\nSource:\n\n    GH-ALM"),
+                      HasSubstr("\nGood (fanuc):\n"),
+                      HasSubstr("\nSource:\n\n    Alarm list of the FANUC 30i"), HasSubstr("(GH-ALM"),
                       HasSubstr("'maclint explain MAC523' says why")));
     EXPECT_THAT(page.out, ContainsRegex("\n  > G83 R")) << "the line that the row finds is marked";
     const Finished alias = run({"explain", "DIN613"});

@@ -115,11 +115,13 @@ TEST_F(VendorCode, IsKnownToABaselineLikeAllOther) {
 }
 
 TEST_F(VendorCode, IsSaidWithItsReasonByShowConfig) {
-    EXPECT_THAT(run({"--show-config", "probe"}).out,
+    EXPECT_THAT(run_maclint(folder.path().string(), {"--show-config", "probe"}, "").out,
                 HasSubstr("vendor code    only errors count (the remark on line 3)"));
-    EXPECT_THAT(run({"--show-config", "own"}).out, Not(HasSubstr("vendor code")));
+    EXPECT_THAT(run_maclint(folder.path().string(), {"--show-config", "own"}, "").out,
+                Not(HasSubstr("vendor code")));
     folder.write(".maclint.json", R"({ "vendor": [ "own" ] })");
-    EXPECT_THAT(run({"--show-config", "own"}).out, HasSubstr("only errors count (.maclint.json: vendor)"));
+    EXPECT_THAT(run_maclint(folder.path().string(), {"--show-config", "own"}, "").out,
+                HasSubstr("only errors count (.maclint.json: vendor)"));
 }
 
 } // namespace

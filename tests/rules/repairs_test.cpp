@@ -18,7 +18,7 @@ using ::testing::IsEmpty;
 using ::testing::SizeIs;
 
 std::vector<Finding> findings(std::string_view code, std::string text) {
-    return run_rules(*test::analyse_text("fanuc-16i", std::move(text)), {{find_rule(code)}}, 1);
+    return run_rules(*test::analyse_text("fanuc", std::move(text)), {{find_rule(code)}}, 1);
 }
 
 TEST(CallsWithNumbers, CountWhatTheControlSurelyHas) {
