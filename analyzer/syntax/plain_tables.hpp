@@ -116,7 +116,8 @@ class GroupSet {
         return was_there;
     }
     [[nodiscard]] constexpr std::size_t size() const {
-        return static_cast<std::size_t>(std::popcount(halves_[0]) + std::popcount(halves_[1]));
+        return static_cast<std::size_t>(std::popcount(halves_[0])) +
+               static_cast<std::size_t>(std::popcount(halves_[1]));
     }
     /// From the lowest number on.
     template<class Visit>

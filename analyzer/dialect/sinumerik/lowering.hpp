@@ -75,13 +75,13 @@ class BlockLowering : private TreeLowering {
     void lower_word(const Node& node);
     void lower_assignment(const Node& node);
     void store(const Node& target, ExpressionId value, Span whole);
-    void lower_code(std::string_view name, Span span);
-    void set_value(char letter, ExpressionId value, Span span);
+    void lower_code(std::string_view name, Span here);
+    void set_value(char letter, ExpressionId value, Span here);
     [[nodiscard]] bool takes_words(const Node& item) const;
-    void lower_function_of_machine(double number, Span span);
-    void set_group_by_number(const Node& target, ExpressionId value, Span whole);
-    void evaluate(ExpressionId value, Span span);
-    void add_word(std::string_view address, std::optional<ExpressionId> value, Span span);
+    void lower_function_of_machine(double number, Span here);
+    void set_group_by_number(const Node& index, ExpressionId value, Span whole);
+    void evaluate(ExpressionId value, Span here);
+    void add_word(std::string_view address, std::optional<ExpressionId> value, Span here);
     void add_motion();
 
     // ---- expressions (lower_expressions.cpp)
