@@ -40,9 +40,10 @@ std::string compared(std::string_view word) {
 bool has_words(std::string_view name, std::string_view part) {
     constexpr std::string_view between = "-/.";
     const auto ends = [&](std::size_t at) {
-        return at == std::string_view::npos || at >= name.size() || between.find(name[at]) != between.npos;
+        return at == std::string_view::npos || at >= name.size() ||
+               between.find(name[at]) != std::string_view::npos;
     };
-    for (std::size_t at = name.find(part); at != name.npos; at = name.find(part, at + 1))
+    for (std::size_t at = name.find(part); at != std::string_view::npos; at = name.find(part, at + 1))
         if ((at == 0 || ends(at - 1)) && ends(at + part.size())) return true;
     return false;
 }

@@ -23,7 +23,7 @@ namespace {
 class Language {
   public:
     static constexpr syntax::Grammar grammar = sinumerik::grammar;
-    static constexpr std::string_view comment_end = ""; // it ends with its line
+    static constexpr std::string_view comment_end = {}; // it ends with its line
     static constexpr bool open_comment_takes_code = false;
     static constexpr auto make_cache_key = sinumerik::make_cache_key;
     static constexpr auto is_plausible = sinumerik::is_plausible;
