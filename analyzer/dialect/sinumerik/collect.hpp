@@ -29,7 +29,7 @@ class Programs {
     void close();
 
   private:
-    void open(std::string name);
+    void open(std::string written);
 
     const Source& source_;
     const ControlModel& control_;

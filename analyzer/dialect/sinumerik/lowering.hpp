@@ -88,16 +88,16 @@ class BlockLowering : private TreeLowering {
     ExpressionId lower_expression(const Node& node);
     ExpressionId lower_below(const Node& node);
     ExpressionId lower_name(const Node& node);
-    ExpressionId lower_number(std::string_view text, Span span);
+    ExpressionId lower_number(std::string_view written, Span here);
     ExpressionId lower_indexed(const Node& node);
     ExpressionId lower_system_variable(const Node& node);
-    ExpressionId lower_r(const Node& index, Span span);
+    ExpressionId lower_r(const Node& index, Span here);
     ExpressionId lower_unary(const Node& node);
     ExpressionId lower_binary(const Node& node);
     ExpressionId lower_function(const Node& node);
-    ExpressionId lower_all(const Node& list, Span span);
+    ExpressionId lower_all(const Node& list, Span here);
     /// A value of which nothing is known, and which may change by itself.
-    ExpressionId changing(std::string_view name, Span span);
+    ExpressionId changing(std::string_view name, Span here);
     [[nodiscard]] const Variable* variable_named(std::string_view name) const;
     [[nodiscard]] std::optional<Variable> variable_of(const Node& node) const;
 
@@ -109,7 +109,7 @@ class BlockLowering : private TreeLowering {
     void check_number(const Node& word);
     void file_wide_colon(const Node& label);
     void check_alone(std::span<const Node* const> items);
-    void report_expected(Span span, std::string_view expected);
+    void report_expected(Span here, std::string_view expected);
 
     // ---- the tree
     [[nodiscard]] const Node* child(const Node& node, Field field) const;
