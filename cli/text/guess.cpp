@@ -2,6 +2,7 @@
 #include "cli/text/guess.hpp"
 
 #include "cli/text/letters.hpp"
+#include "rules/listed.hpp"
 
 #include <algorithm>
 #include <cstddef>
@@ -113,10 +114,9 @@ std::vector<std::string> likely(std::string_view word, std::span<const std::stri
 }
 
 std::string meant(const std::vector<std::string>& words) {
-    std::string list;
-    for (std::size_t i = 0; i < words.size(); ++i)
-        list += (i == 0 ? "'" : i + 1 == words.size() ? " or '" : ", '") + words[i] + "'";
-    return " Did you mean " + list + "?";
+    std::vector<std::string> quoted;
+    for (const std::string& word : words) quoted.push_back("'" + word + "'");
+    return " Did you mean " + rules::listed(quoted, " or ") + "?";
 }
 
 std::string did_you_mean(std::string_view word, std::span<const std::string> candidates,

@@ -98,8 +98,8 @@ class TouchesOfProgram {
         return found;
     }
 
-    /// The move that a signal ends behind which the node is on every path, nothing between that asks, or
-    /// moves where that matters.
+    /// The nearest move that a signal ends, where the node stands behind one on every path and nothing
+    /// between asks, or moves where that matters.
     [[nodiscard]] std::optional<flow::NodeId> touch_before(flow::NodeId node, bool may_move) const {
         std::optional<flow::NodeId> found;
         bool open = node == 0;
@@ -107,8 +107,7 @@ class TouchesOfProgram {
             if (open || !analysis_.data().passable(edge) || !analysis_.data().reached(from))
                 return flow::Step::refuse;
             if (has_code(from, letters_.skips)) {
-                open |= found && *found != from;
-                found = from;
+                if (!found) found = from;
                 return flow::Step::end;
             }
             open |= from == 0 || may_ask(from) || (!may_move && moves(from));

@@ -94,6 +94,10 @@ TEST(Touches, AreCheckedByAWayToo) {
     };
     EXPECT_THAT(told(""), SizeIs(1));
     EXPECT_THAT(told("#2=#1-#5063\nIF[#2GT19.99]GOTO9\n"), IsEmpty());
+    EXPECT_THAT(findings("MAC607", "O1\nIF[#1EQ1]GOTO5\nG91G31Z-20.F50.\nGOTO6\nN5G91G31Z-30.F50.\n"
+                                   "N6#5223=#5063\nM99\n"),
+                SizeIs(1))
+        << "whichever it was, nothing asks";
     EXPECT_THAT(told("M78\n"), IsEmpty()) << "the function may raise an alarm";
     EXPECT_THAT(told("G65P9100\n"), IsEmpty()) << "so may a program";
 }
