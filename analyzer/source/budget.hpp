@@ -14,7 +14,7 @@ namespace maclint {
 /// would have none. docs/bounds.md lists the numbers.
 class Budget {
   public:
-    /// So many may be looked at.
+    /// At most `most` things may be looked at.
     explicit Budget(std::size_t most)
         : left_(most)
         , outer_(std::exchange(innermost, this)) {}
@@ -32,7 +32,7 @@ class Budget {
     /// less, and something may be missing.
     [[nodiscard]] bool gave_up() const { return gave_up_; }
 
-    /// Whether so many more may be looked at, which then counts as done.
+    /// Whether `more` things may be looked at beside those before, which then counts as done.
     [[nodiscard]] static bool allows(std::size_t more = 1) {
         if (innermost == nullptr) return true;
         innermost->is_spent_ |= more > innermost->left_;

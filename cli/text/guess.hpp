@@ -10,8 +10,9 @@
 namespace maclint::cli {
 
 /// The candidates that a word most likely means, in any case, at most three, in their order: those that it
-/// begins or is short for; else those of whose words (between '-', '/' and '.') it is one; else those that
-/// begin it; else the nearest, of which a third of the letters may be wrong, one where it holds digits.
+/// begins or is short for; else those of whose words (between '-', '/' and '.') it is one; else the nearest,
+/// of which a third of the letters may be wrong, one where it holds digits; else those that begin it, and
+/// nothing longer.
 [[nodiscard]] std::vector<std::string> likely(std::string_view word, std::span<const std::string> candidates);
 
 /// The nearest candidate alone, by letters.
