@@ -15,9 +15,10 @@ MOST_OF_OURS = 120
 
 # What each target reads.
 TEXTS = {
-    "source": ("fanuc", "dinplus"),
+    "source": ("fanuc", "dinplus", "sinumerik"),
     "fanuc_reader": ("fanuc",),
     "dinplus_reader": ("dinplus",),
+    "sinumerik_reader": ("sinumerik",),
     "lanes": ("fanuc", "dinplus"),
     "reports": ("fanuc", "dinplus"),
     "suppressions": ("fanuc", "dinplus"),
@@ -40,10 +41,12 @@ def programs(shared):
     corpora = {
         "fanuc": [ROOT / "corpus/fanuc", fixtures / "bad-input"],
         "dinplus": [ROOT / "corpus/dinplus", fixtures / "dinplus/bad-input"],
+        "sinumerik": [ROOT / "corpus/sinumerik"],
     }
     others = {
         "fanuc": [shared / "corpus/fanuc-macro", shared / "corpus/fanuc-plain"],
         "dinplus": [shared / "reference/dinplus-examples", shared / "reference/seed-programs"],
+        "sinumerik": [shared / "corpus/sinumerik", shared / "cases/sinumerik-seed"],
     }
     texts = {}
     for language, folders in corpora.items():

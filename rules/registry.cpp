@@ -295,7 +295,40 @@
     RULE(slide_not_in_head)                      /* DIN905 */ \
     RULE(g30_left_active)                        /* DIN906 */ \
     RULE(result_unchecked)                       /* DIN930 */ \
-    RULE(second_measuring_move)                  /* DIN951 */
+    RULE(second_measuring_move)                  /* DIN951 */ \
+    RULE(foreign_control_word)                   /* SIN104 */ \
+    RULE(missing_equals)                         /* SIN105 */ \
+    RULE(remark_without_semicolon)               /* SIN106 */ \
+    RULE(remark_in_parentheses)                  /* SIN107 */ \
+    RULE(colon_in_jump)                          /* SIN109 */ \
+    RULE(two_blocks_in_a_line)                   /* SIN110 */ \
+    RULE(control_word_not_alone)                 /* SIN111 */ \
+    RULE(label_at_structure)                     /* SIN112 */ \
+    RULE(bad_identifier)                         /* SIN113 */ \
+    RULE(name_is_taken)                          /* SIN114 */ \
+    RULE(text_too_long)                          /* SIN115 */ \
+    RULE(malformed_case)                         /* SIN123 */ \
+    RULE(split_declaration)                      /* SIN124 */ \
+    RULE(definition_after_code)                  /* SIN201 */ \
+    RULE(unknown_system_variable)                /* SIN204 */ \
+    RULE(index_out_of_range)                     /* SIN207 */ \
+    RULE(wrong_dimensions)                       /* SIN208 */ \
+    RULE(type_clash)                             /* SIN209 */ \
+    RULE(too_many_initial_values)                /* SIN213 */ \
+    RULE(ambiguous_label)                        /* SIN302 */ \
+    RULE(for_never_runs)                         /* SIN303 */ \
+    RULE(case_value_twice)                       /* SIN304 */ \
+    RULE(repetition_marks)                       /* SIN305 */ \
+    RULE(missing_reference_argument)             /* SIN402 */ \
+    RULE(reference_needs_variable)               /* SIN404 */ \
+    RULE(extern_differs)                         /* SIN405 */ \
+    RULE(arguments_without_proc)                 /* SIN407 */ \
+    RULE(other_program_name)                     /* SIN408 */ \
+    RULE(tool_change_under_compensation)         /* SIN502 */ \
+    RULE(frame_replaces)                         /* SIN504 */ \
+    RULE(position_as_distance)                   /* SIN505 */ \
+    RULE(action_on_local_variable)               /* SIN601 */ \
+    RULE(action_id)                              /* SIN602 */
 // clang-format on
 
 namespace maclint {

@@ -46,7 +46,11 @@ std::string reason_of(const SyntaxError& error) {
     case SyntaxErrorKind::function_without_brackets:
     case SyntaxErrorKind::comparison_as_value:
     case SyntaxErrorKind::foreign_remark:
+    case SyntaxErrorKind::remark_without_sign:
+    case SyntaxErrorKind::missing_equals:
+    case SyntaxErrorKind::late_definition:
     case SyntaxErrorKind::oversized_block: return "";
+    case SyntaxErrorKind::foreign_keyword:
     case SyntaxErrorKind::bracket_mismatch: return error.cure;
     case SyntaxErrorKind::unreadable: return error.cure.empty() ? without_digits(error.subject) : error.cure;
     default: return in_capitals(error.subject);

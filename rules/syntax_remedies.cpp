@@ -17,6 +17,7 @@ std::optional<Applicability> replacement_by_cure(SyntaxErrorKind kind) {
     case SyntaxErrorKind::foreign_remark: // the control takes none of them for a remark
     case SyntaxErrorKind::blank_in_variable:
     case SyntaxErrorKind::hash_in_vacancy_test: return Applicability::safe;
+    case SyntaxErrorKind::other_program_name:
     case SyntaxErrorKind::other_vacancy_test:
     case SyntaxErrorKind::section_of_other_language:
     case SyntaxErrorKind::unknown_internal_constant:

@@ -33,6 +33,25 @@ bool looks_at(LabelSearch search, Offset from, Offset block) {
     return true;
 }
 
+/// How the label begins that a jump joins of texts: ROW_ of `"ROW_"<<R1`; empty: nothing is known of it.
+std::string_view beginning_of_label(const Program& program, ExpressionId target) {
+    const auto* joined = std::get_if<Apply>(&program.expressions[target].node);
+    while (joined != nullptr && joined->operation == Operation::unknown && joined->operands.count != 0) {
+        const auto& first = program.expressions[program.operands_of(*joined).front()].node;
+        if (const auto* text = std::get_if<Text>(&first)) return program.slice(text->characters);
+        joined = std::get_if<Apply>(&first);
+    }
+    return {};
+}
+
+bool begins_with(std::string_view label, std::string_view beginning) {
+    const auto in_capital = [](char c) {
+        return c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c;
+    };
+    return label.size() >= beginning.size() &&
+           std::ranges::equal(label.substr(0, beginning.size()), beginning, {}, in_capital, in_capital);
+}
+
 /// What something in the program may jump to.
 struct Wanted {
     std::vector<std::int64_t> numbers; ///< sorted once all are there: files have a million numbered blocks
@@ -439,8 +458,10 @@ class Building {
                     if (effect.missing == MissingLabel::skip) goes_elsewhere_.push_back(jump.node);
                 }
             } else if (!share) {
+                const std::string_view beginning = beginning_of_label(program_, effect.target);
                 for (std::uint32_t i = 0; i < graph_.labels.size(); ++i)
-                    if (looks_at(effect.search, from, graph_.labels[i].block.begin))
+                    if (looks_at(effect.search, from, graph_.labels[i].block.begin) &&
+                        (beginning.empty() || begins_with(program_.spell(graph_.labels[i].label), beginning)))
                         add_edge(
                             {jump.node, graph_.labels[i].node, EdgeKind::computed, {}, true, jump.jump, i});
             } else {

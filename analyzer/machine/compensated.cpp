@@ -22,6 +22,7 @@ bool moves_in_plane(const Step& step, const ControlModel& control) {
         !step.after.of(ModalRole::plane).is(control.groups[*plane].members.front().number);
     const bool is_lathe = control.machine_words->x_is_diameter;
     return step.axes[0] || step.axes[1] || (step.axes[2] && (is_lathe || is_in_z_x_or_y_z)) ||
+           step.words.has_other_target() ||
            step.words.has_one_of(control.machine_words->returning); // the moves of a profile
 }
 

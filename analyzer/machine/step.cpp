@@ -28,9 +28,14 @@ bool contains(std::span<const double> numbers, double number) {
 
 } // namespace
 
-Words::Words(std::span<const Word> words) {
+Words::Words(std::span<const Word> words, const MachineWords& machine)
+    : lengths_without_point_(machine.lengths_without_point) {
     if (!words.empty()) span_ = {words.front().span.begin, words.back().span.end};
     for (const Word& word : words) {
+        if (!machine.radius_address.empty() && word.address == machine.radius_address)
+            words_[index(machine.radius)] = &word;
+        has_other_target_ |=
+            std::ranges::find(machine.other_targets, word.address) != machine.other_targets.end();
         if (word.address.size() != 1 || word.address.front() < 'A' || word.address.front() > 'Z') continue;
         const Word*& first = words_[index(word.address.front())];
         if (first == nullptr) first = &word;
@@ -48,7 +53,7 @@ std::optional<Number> Words::number(char letter) const {
     const Word& found = *word(letter);
     const auto* literal = std::get_if<Literal>(&found.value);
     if (literal == nullptr) return std::nullopt;
-    return Number{literal->value, literal->decimal_point, found.span};
+    return Number{literal->value, literal->decimal_point || lengths_without_point_, found.span};
 }
 
 bool Words::has_g(double code) const { return contains(g_codes(), code); }
@@ -143,6 +148,7 @@ void Stepper::apply(State& state, const BlockView& block, const Words& words) {
     choose_offsets(state, block, words);
     if (words.has_one_of(machine_->resetting)) state.forget_position();
     if (moves_) move(state, words, block.span.begin);
+    if (words.has_other_target()) state.forget_position();
     watch_tapping(state, block, words);
     run_profile(state, block, words);
     if (demands_ != nullptr) watch_demands(state, words);

@@ -37,7 +37,7 @@ struct Number {
 /// The words of a block by their letters, and its G codes.
 class Words {
   public:
-    explicit Words(std::span<const Word> words);
+    Words(std::span<const Word> words, const MachineWords& machine);
 
     [[nodiscard]] bool has(char letter) const { return words_[index(letter)] != nullptr; }
     /// The first word of the letter, where it is a number; nothing where it is missing or calculated.
@@ -51,6 +51,8 @@ class Words {
     /// From the first word to the last; empty where there are none.
     [[nodiscard]] Span span() const { return span_; }
     [[nodiscard]] bool has_computed_code() const { return has_computed_code_; }
+    /// Whether a word other than those of axes says where the move ends.
+    [[nodiscard]] bool has_other_target() const { return has_other_target_; }
 
   private:
     [[nodiscard]] static std::size_t index(char letter) { return static_cast<std::size_t>(letter - 'A'); }
@@ -70,6 +72,8 @@ class Words {
     Codes g_codes_, m_codes_;
     Span span_ = {};
     bool has_computed_code_ = false;
+    bool has_other_target_ = false;
+    bool lengths_without_point_;
 };
 
 /// One block between two states.
@@ -116,7 +120,7 @@ class Stepper {
     /// What the block does, calls left out; `visit(Step)` sees it.
     template<class Visit>
     void run(State& state, const BlockView& block, std::span<const Word> words, const Visit& visit) {
-        const Words by_letter(words);
+        const Words by_letter(words, *machine_);
         before_ = state;
         begin(block);
         apply(state, block, by_letter);

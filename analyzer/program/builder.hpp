@@ -67,6 +67,9 @@ class ProgramBuilder {
     [[nodiscard]] std::int32_t number_of_name(SpaceId space, std::string_view name);
     /// The next parameter.
     void add_formal(Formal formal) { program_.formals.push_back(std::move(formal)); }
+    void add_external(ExternalDeclaration declared) { program_.externals.push_back(std::move(declared)); }
+    void add_array_index(const ArrayIndex& index) { program_.array_indices.push_back(index); }
+    void set_definition(Span span) { program_.definition = span; }
     void declare(Variable variable, const Declaration& declaration) {
         program_.declarations.insert_or_assign(variable, declaration);
     }

@@ -20,6 +20,11 @@ struct MachineWords {
     AxisLetters increments = {}; ///< count from where the tool is, whatever the distance mode
     AxisLetters centres;         ///< of a circle, from its start: I, J and K
     char radius = 'R';
+    /// How the radius is written where its address has several letters: "CR"; it counts as `radius`.
+    std::string_view radius_address = {};
+    /// Words of several letters that say where a move ends: AP, RP.
+    std::span<const std::string_view> other_targets = {};
+    bool lengths_without_point = false; ///< a number without a point is a length, and counts no thousandths
     char tool = 'T';
     char length_offset = 0; ///< 0: the tool's word names it
     char cutter_offset = 0;

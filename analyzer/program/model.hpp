@@ -2,6 +2,7 @@
 #pragma once
 
 #include "analyzer/program/ids.hpp"
+#include "analyzer/program/label_search.hpp"
 #include "analyzer/program/names.hpp"
 #include "analyzer/program/region_kind.hpp"
 #include "analyzer/program/syntax_error.hpp"
@@ -195,13 +196,6 @@ struct RegionMark {
     std::optional<ExpressionId> condition;
 };
 
-/// Where the control looks for the block that a jump names, seen from the jump's own block.
-enum class LabelSearch : std::uint8_t {
-    forward_then_top, ///< from its own block to the end, then from the top
-    forward,          ///< after it
-    backward,         ///< from its own block to the top
-    forward_then_backward,
-};
 /// What happens when no block bears the label.
 enum class MissingLabel : std::uint8_t { alarm, skip };
 
@@ -345,6 +339,30 @@ struct Formal {
     std::string name; ///< as arguments that are given by name spell it
     Passing passing;  ///< by_value or by_reference
     Span span;
+    /// As the text spells it, "REAL"; of static lifetime; empty: the language has no types.
+    std::string_view type = {};
+    bool is_array = false;
+    bool has_default = false; ///< a call may leave it out
+};
+
+/// What the text says of the parameters of a program that lies elsewhere.
+struct ExternalDeclaration {
+    struct Parameter {
+        std::string_view type; ///< as in Formal
+        Passing passing;
+        bool is_array;
+    };
+    std::string name;
+    std::vector<Parameter> parameters;
+    Span span;
+};
+
+/// An index of an array whose size the text gives.
+struct ArrayIndex {
+    ExpressionId index;
+    std::int32_t size; ///< indices go from 0 to one less
+    Span array;        ///< the element as it is written
+    Span declared;
 };
 
 /// A variable that the text declares.
@@ -353,6 +371,7 @@ struct Declaration {
     std::optional<double> initial; ///< what it reads as before anything was stored, where its space does not
                                    ///< say so; of a parameter: when the call leaves it out
     Span span;
+    std::string_view type_name = {}; ///< as in Formal
 };
 
 /// One program of a file.
@@ -388,6 +407,9 @@ class Program {
     Names block_names;           ///< of named blocks
     Channels channels = 0;       ///< all that its text names: it runs in each of them at the same time
     std::vector<Formal> formals; ///< parameters, by position
+    std::vector<ExternalDeclaration> externals;
+    std::vector<ArrayIndex> array_indices; ///< in text order
+    Span definition;                       ///< of its parameters: `PROC …`; empty: the text has none
     std::unordered_map<Variable, Declaration, VariableHash> declarations;
     std::vector<Variable> handed_down; ///< locals that all programs called from here see, too: #l1(200)
     std::unordered_map<Variable, Variable, VariableHash>

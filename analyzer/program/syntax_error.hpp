@@ -93,6 +93,30 @@ enum class SyntaxErrorKind : std::uint8_t {
     number_too_long,             ///< subject: the number; cure: how many figures there may be
     no_condition,                ///< `IF #l1`; subject: what stands in its place
     converted_leftover,          ///< subject: a remark that a converter left in the place of a block
+    missing_equals,              ///< `Z-DEPTH`; subject: the address; cure: the word with its `=`
+    remark_without_sign,         ///< text that is no block; cure: the sign that begins a remark
+    colon_in_jump,               ///< `GOTOF END:`; cure: the label alone
+    second_block,                ///< subject: a block number behind words
+    head_at_structure,           ///< subject: a label or skip mark in front of a loop or branch
+    foreign_keyword,             ///< `THEN`; cure: how the language writes it
+    taken_name,                  ///< of a variable; cure: what has it already
+    text_too_long,               ///< subject: the text; cure: how many characters there may be
+    malformed_case,              ///< a table of jumps; cure: what is missing
+    split_declaration,           ///< PROC or DEF that goes on in the next block
+    late_definition,             ///< behind the first block that does something; cure: that block
+    unknown_system_variable,     ///< cure: one that is meant, may be empty
+    wrong_dimensions,            ///< subject: the variable with its index; cure: how many it has
+    too_many_initial_values,     ///< subject: the list; cure: how many there may be
+    empty_counting,              ///< `FOR R1=5 TO 1`
+    value_twice,                 ///< of a table of jumps; cure: where it stands first
+    mark_missing,                ///< of a part to be repeated; subject: the label
+    passes_out_of_range,         ///< of a part to be repeated; cure: what they may be
+    action_on_local,             ///< subject: a variable that acts at preparation; cure: what acts in time
+    action_number,               ///< subject: the number of an action; cure: what it may be
+    other_program_name,          ///< subject: the name in the text; cure: that of the file
+    ambiguous_jump,              ///< its label stands on both sides; cure: the line of the one that is taken
+    frame_lost,                  ///< subject: a frame that the next one deletes; cure: that one
+    position_as_distance,        ///< subject: a word; cure: the position that was read
     unreadable,                  ///< nothing more exact is known; cure: what was expected
 };
 

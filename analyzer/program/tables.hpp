@@ -5,6 +5,7 @@
 #include "analyzer/program/call_kinds.hpp"
 #include "analyzer/program/capability.hpp"
 #include "analyzer/program/ids.hpp"
+#include "analyzer/program/label_search.hpp"
 #include "analyzer/program/modal_groups.hpp"
 #include "analyzer/program/region_kind.hpp"
 #include "analyzer/program/section_kinds.hpp"
@@ -103,6 +104,12 @@ struct RegionWords {
     std::string_view open, close;
 };
 
+/// The word of a jump that looks for its label in one direction: "GOTOF".
+struct JumpWord {
+    LabelSearch search;
+    std::string_view word;
+};
+
 /// Everything that the analysis knows about a control; built once, shared by all programs of that control.
 struct ControlModel {
     std::string name;          ///< "fanuc-16i"; what --control takes
@@ -118,6 +125,7 @@ struct ControlModel {
     /// Constructs that pair by nesting, each with a word of its own that closes it; empty: numbers pair
     /// them, or the sections of the language have rules of their own for it.
     std::vector<RegionWords> region_words = {};
+    std::vector<JumpWord> jump_words = {}; ///< empty: the word does not say the direction
     /// Codes of the rules that were held against programs of the language, sorted; empty: all that have what
     /// they need.
     std::span<const std::string_view> rules_tried = {};

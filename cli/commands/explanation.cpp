@@ -7,6 +7,7 @@
 #include "cli/report/alarm_page.hpp"
 #include "cli/report/code_page.hpp"
 #include "cli/report/exemption_page.hpp"
+#include "cli/report/group_page.hpp"
 #include "cli/report/row_page.hpp"
 #include "cli/report/rule_page.hpp"
 #include "cli/report/variable_page.hpp"
@@ -74,7 +75,10 @@ std::vector<ExplainedPage> pages_of_code(const ExplainRequest& request, const Pa
     std::vector<ExplainedPage> pages;
     for (const Dialect& dialect : dialects()) {
         if (!asks_for(request, dialect)) continue;
-        const std::string_view language = find_control(dialect.default_control)->language;
+        const ControlModel& control = *find_control(dialect.default_control);
+        const std::string_view language = control.language;
+        if (std::string text = plain_group_page(control, request.rule, style); !text.empty())
+            pages.push_back({"code", std::move(text)});
         for (const CodePage& page : pages_named(language, request.rule)) {
             if (request.control != nullptr && !page.is_of(*request.control)) continue;
             std::string text = plain_code_page(page, request.control, style);
@@ -101,15 +105,25 @@ ExplainedPage page_of(const NamedRule& named, const PageStyle& style) {
     return {"row", page_of(*named.row, style), named};
 }
 
-/// What the word may mean on the control, where one is asked for.
+/// Whether the control, or one of the language, that is asked for has what the rule or row speaks of.
+bool is_there(const ExplainRequest& request, const NamedRule& one) {
+    const auto has_it = [&](const ControlModel& control) {
+        if (one.row == nullptr) return applies_to(*one.rule, control);
+        return std::ranges::any_of(one.row->rows, [&](const RowForCode& row) { return is_of(row, control); });
+    };
+    if (request.control != nullptr) return has_it(*request.control);
+    if (request.dialect == nullptr) return true;
+    const std::string_view language = find_control(request.dialect->default_control)->language;
+    return std::ranges::any_of(controls(), [&](const ControlModel* control) {
+        return control->language == language && has_it(*control);
+    });
+}
+
+/// What the word may mean on the controls that are asked for.
 std::vector<NamedRule> named_by(const ExplainRequest& request) {
     std::vector<NamedRule> named = rules_meant(request.rule);
-    if (request.control != nullptr)
-        std::erase_if(named, [&](const NamedRule& one) {
-            const auto is_on = [&](const RowForCode& row) { return is_of(row, *request.control); };
-            return one.row == nullptr ? !applies_to(*one.rule, *request.control)
-                                      : std::ranges::none_of(one.row->rows, is_on);
-        });
+    if (request.control == nullptr && request.dialect == nullptr) return named;
+    std::erase_if(named, [&](const NamedRule& one) { return !is_there(request, one); });
     return named;
 }
 
@@ -117,8 +131,7 @@ std::vector<NamedRule> named_by(const ExplainRequest& request) {
 void add_rules_about(const ExplainRequest& request, std::vector<NamedRule>& named) {
     for (const NamedRule& about : rules_about(request.rule)) {
         const bool is_known = std::ranges::find(named, about) != named.end();
-        const bool is_there = request.control == nullptr || applies_to(*about.rule, *request.control);
-        if (!is_known && is_there) named.push_back(about);
+        if (!is_known && is_there(request, about)) named.push_back(about);
     }
 }
 

@@ -97,7 +97,7 @@ void check_call(const ProgramAnalysis& analysis, const CallSite& site, const Pro
 void check(const ProgramAnalysis& analysis, Reporter& reporter) {
     for (const CallSite& site : analysis.calls()) {
         const ProgramAnalysis* called = queries::called_program(analysis, site);
-        if (called == nullptr || called->program().formals.empty()) continue; // it has no PROC line
+        if (called == nullptr || called->program().definition.empty()) continue; // it has no PROC line
         check_call(analysis, site, called->program(), reporter);
     }
 }

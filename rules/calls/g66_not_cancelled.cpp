@@ -1,15 +1,18 @@
 //! MAC413: a modal macro call that stays on.
 #include "analyzer/dataflow/facts/exit_state.hpp"
 #include "analyzer/dataflow/facts/point_state.hpp"
+#include "analyzer/program/tables.hpp"
 #include "analyzer/queries/paths/exits.hpp"
 #include "analyzer/queries/values/origins.hpp"
 #include "analyzer/workspace/program_analysis.hpp"
 #include "rules/fixes.hpp"
+#include "rules/modal/modal_leak.hpp"
 #include "rules/path.hpp"
 #include "rules/rule.hpp"
 #include "rules/trace.hpp"
 
 #include <set>
+#include <string>
 
 namespace maclint::rules {
 
@@ -32,10 +35,10 @@ extern const Rule g66_not_cancelled{
         {{"end",
           "Modal call left active: '{0}' is still active when the program is left, so every later move calls "
           "the macro.",
-          "Write G67 before the program is left."},
+          "Write {2} before the program is left."},
          {"tool",
           "Modal call at a tool change: '{0}' is still active on line {1}, whose moves call the macro.",
-          "Write G67 before line {1}."}},
+          "Write {2} before line {1}."}},
     .bad = {{"fanuc", R"nc(
 O9413(ROW)
 G66P9010Z-20.R5.
@@ -58,14 +61,17 @@ M30
 namespace {
 
 void check(const ProgramAnalysis& analysis, Reporter& reporter) {
+    const auto group = analysis.control().group_with(ModalRole::macro_call);
+    if (!group) return;
+    const std::string off = words_to_cancel(analysis.control(), *group);
     std::set<dataflow::OriginId> said;
     const auto report = [&](dataflow::OriginId call, flow::NodeId node, std::string_view message, Span left) {
         if (!said.insert(call).second) return;
         const Span span = queries::span_of_origin(analysis, call);
-        Finding& finding =
-            reporter.report(cause_at(analysis, call), span, message,
-                            {quoted(analysis.program(), span), line_number(analysis.file(), left.begin)});
-        offer_block_before(finding, Applicability::unsafe, left, "G67");
+        Finding& finding = reporter.report(
+            cause_at(analysis, call), span, message,
+            {quoted(analysis.program(), span), line_number(analysis.file(), left.begin), off});
+        offer_block_before(finding, Applicability::unsafe, left, off);
         finding.path.push_back({analysis.source(), span, "the modal call begins here"});
         for (RelatedLocation& step : path_between(analysis, queries::node_of_origin(analysis, call), node))
             finding.path.push_back(std::move(step));

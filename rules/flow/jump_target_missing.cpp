@@ -2,6 +2,7 @@
 #include "analyzer/dataflow/facts/computed_jump.hpp"
 #include "analyzer/workspace/program_analysis.hpp"
 #include "rules/flow/nearby_numbers.hpp"
+#include "rules/flow/other_direction.hpp"
 #include "rules/path.hpp"
 #include "rules/rule.hpp"
 #include "rules/trace.hpp"
@@ -69,15 +70,13 @@ N70 M30
 namespace {
 
 /// The 30i takes the longest ones. Some controls find N0, but nobody should be told to write it.
-bool can_exist(std::int64_t number) {
-    constexpr std::int64_t greatest = 99'999'999;
-    return number >= 1 && number <= greatest;
-}
+constexpr std::int64_t greatest = 99'999'999;
+bool can_exist(std::int64_t number) { return number >= 1 && number <= greatest; }
 
 std::string_view message_for(const Label& label) {
-    const auto* number = std::get_if<std::int64_t>(&label);
-    if (number == nullptr) return "named";
-    return can_exist(*number) ? "constant" : "impossible";
+    if (const auto* number = std::get_if<std::int64_t>(&label))
+        return can_exist(*number) ? "constant" : "impossible";
+    return "named";
 }
 
 /// Whether the label stands where the jump does not look.
@@ -90,6 +89,7 @@ bool report_other_side(const ProgramAnalysis& analysis, const flow::ResolvedJump
                                        {quoted(program, span), quoted(program, label->span),
                                         line_number(analysis.file(), label->span.begin)});
     finding.related.push_back({analysis.source(), label->span, "the label stands here"});
+    offer_other_direction(finding, analysis, span);
     trace(finding, analysis, jump.node, "the label stands on the other side");
     return true;
 }

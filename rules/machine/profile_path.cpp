@@ -101,7 +101,7 @@ std::optional<ProfilePath> profile_path(const MachineStep& at) {
                                        return word.address.starts_with(',') || word.address == "A" ||
                                               word.address == "C";
                                    });
-                                   follower.take(block, machine::Words(words), has_angle);
+                                   follower.take(block, machine::Words(words, at.letters()), has_angle);
                                });
     follower.end();
     return path;

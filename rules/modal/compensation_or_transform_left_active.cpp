@@ -82,12 +82,6 @@ bool is_fault(const ProgramAnalysis& analysis, const ModalGroup& group, const da
     return queries::is_switched_on(analysis, group, part);
 }
 
-std::string words_to_cancel(const ControlModel& control, GroupId id) {
-    const ModalGroup& group = control.groups[id];
-    if (!group.cancel_words.empty() || !group.cancel) return std::string(group.cancel_words);
-    return control.spell(id, *group.cancel);
-}
-
 /// Compensation ends in a move, the last one; anything else in a block of its own.
 std::string cure(const ProgramAnalysis& analysis, const queries::ModalLeak& leak) {
     const std::string words = words_to_cancel(analysis.control(), leak.group);

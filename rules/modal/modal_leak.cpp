@@ -33,6 +33,12 @@ std::string word_of(const ProgramAnalysis& analysis, GroupId group, const datafl
                : quoted(analysis.program(), queries::span_of_origin(analysis, part.origin));
 }
 
+std::string words_to_cancel(const ControlModel& control, GroupId id) {
+    const ModalGroup& group = control.groups[id];
+    if (!group.cancel_words.empty() || !group.cancel) return std::string(group.cancel_words);
+    return control.spell(id, *group.cancel);
+}
+
 std::string capital_name(const ProgramAnalysis& analysis, GroupId group) {
     std::string name(analysis.control().groups[group].name);
     const bool small = !name.empty() && name.front() >= 'a' && name.front() <= 'z';

@@ -18,6 +18,8 @@ namespace maclint::rules {
 [[nodiscard]] std::string word_of(const ProgramAnalysis& analysis, GroupId group,
                                   const dataflow::ModalPart& part);
 
+/// What ends what a group has in force: "G67", "G16 Q0".
+[[nodiscard]] std::string words_to_cancel(const ControlModel& control, GroupId group);
 /// The name of the group as the first word of a sentence.
 [[nodiscard]] std::string capital_name(const ProgramAnalysis& analysis, GroupId group);
 

@@ -38,7 +38,7 @@ TEST(SinumerikVariables, RParametersAreVariables) {
 }
 
 TEST(SinumerikVariables, DefinedOnesAreTheProgramsOwn) {
-    EXPECT_EQ(lower("PROC POCKET(REAL DEPTH, VAR INT STATE_)\nDEF REAL STEP=.5, WAY=DEPTH\nWAY=STEP+DEPTH"),
+    EXPECT_EQ(lower("PROC PART(REAL DEPTH, VAR INT STATE_)\nDEF REAL STEP=.5, WAY=DEPTH\nWAY=STEP+DEPTH"),
               "\nWAY := DEPTH\nWAY := add(STEP, DEPTH)");
 }
 
@@ -96,12 +96,12 @@ TEST(SinumerikErrors, AreToldWithWhatToWrite) {
     EXPECT_THAT(lower("IF R1 EQ 2 GOTOF NEXT"), HasSubstr("=="));
     EXPECT_THAT(lower("IF R1==1 AND R2<>0 OR R3==2"), HasSubstr("(R1==1) AND (R2<>0) OR (R3==2)"));
     EXPECT_THAT(lower("IF (R1==1) AND R2"), Not(HasSubstr("!")));
-    EXPECT_THAT(lower("X DEPTH"), HasSubstr("a '=' after 'X'"));
-    EXPECT_THAT(lower("-------- measuring --------"), HasSubstr("a ';' before a remark"));
-    EXPECT_THAT(lower("G1 X10 (finish cut)"), HasSubstr("a ';' before a remark"));
-    EXPECT_THAT(lower("GOTOF END_:"), HasSubstr("the label without its colon"));
+    EXPECT_THAT(lower("X DEPTH"), HasSubstr("X= DEPTH"));
+    EXPECT_THAT(lower("-------- measuring --------"), HasSubstr("remark-without-sign"));
+    EXPECT_THAT(lower("G1 X10 (finish cut)"), HasSubstr("; finish cut"));
+    EXPECT_THAT(lower("GOTOF END_:"), HasSubstr("colon-in-jump"));
     EXPECT_THAT(lower("R1=(R2+3"), HasSubstr("')' is missing"));
-    EXPECT_THAT(lower("N10 G0 X0 N20 G1 X5"), HasSubstr("a new line before it"));
+    EXPECT_THAT(lower("N10 G0 X0 N20 G1 X5"), HasSubstr("second-block 'N20'"));
     EXPECT_THAT(lower("ENDI"), HasSubstr("ENDIF"));
     EXPECT_THAT(lower("GOTFO NEXT"), HasSubstr("GOTOF"));
     EXPECT_THAT(lower("CASE R1 OF 1 GOTOF ONE DEFAULT TWO"), HasSubstr("a jump such as GOTOF"));

@@ -78,6 +78,112 @@ TEST(SinumerikModes, SaveGivesTheCallersBack) {
     EXPECT_THAT(findings("MAC501", "PROC STEP_UP\nG90 G0 Z10\nRET\n"), IsEmpty());
 }
 
+TEST(SinumerikCalls, GiveWhatTheParametersTake) {
+    const std::string called = "%_N_SLOT_SPF\nPROC SLOT(REAL WIDTH, VAR INT STATE_, STRING[9] NAME_=\"A\")\n"
+                               "STATE_=WIDTH\nM17\n";
+    const auto main = [&](const std::string& call) {
+        return "%_N_A_MPF\nDEF INT DONE\nDEF REAL DEPTH\nDEF STRING[9] TEXT_\n" + call + "\nM30\n" + called;
+    };
+    EXPECT_THAT(findings("SIN402", main("SLOT(5,DONE)")), IsEmpty());
+    EXPECT_THAT(findings("SIN402", main("SLOT(,DONE,TEXT_)")), IsEmpty());
+    EXPECT_THAT(findings("SIN402", main("SLOT(5)")), SizeIs(1));
+    EXPECT_THAT(findings("SIN402", main("SLOT(5,,TEXT_)")), SizeIs(1));
+    EXPECT_THAT(findings("SIN404", main("SLOT(5,DEPTH)")), SizeIs(1));
+    EXPECT_THAT(findings("SIN404", main("SLOT(5,R1)")), IsEmpty()); // nobody says of which type it is
+    EXPECT_THAT(findings("SIN209", main("SLOT(TEXT_,DONE)")), SizeIs(1));
+    EXPECT_THAT(findings("SIN209", main("SLOT(5,DONE,7)")), SizeIs(1));
+    EXPECT_THAT(findings("SIN209", main("SLOT(5,DONE,\"B\"<<DEPTH)")), IsEmpty());
+    EXPECT_THAT(findings("SIN407", main("SLOT(5,DONE)")), IsEmpty());
+    EXPECT_THAT(findings("SIN405", "%_N_A_MPF\nDEF INT DONE\nEXTERN SLOT(REAL,VAR INT,STRING[9])\n"
+                                   "SLOT(5,DONE)\nM30\n" +
+                                       called),
+                IsEmpty());
+    EXPECT_THAT(findings("SIN405", "%_N_A_MPF\nDEF INT DONE\nEXTERN SLOT(REAL,INT,STRING[9])\n"
+                                   "SLOT(5,DONE)\nM30\n" +
+                                       called),
+                SizeIs(1));
+}
+
+TEST(SinumerikArrays, AreReadWithinTheirBounds) {
+    const std::string define = "DEF REAL PLACE[4]\nDEF INT HOLE\nDEF INT GRID[2,3]\n";
+    EXPECT_THAT(findings("SIN207", define + "G0 X=PLACE[0] Y=PLACE[3]\nM30\n"), IsEmpty());
+    EXPECT_THAT(findings("SIN207", define + "G0 X=PLACE[4]\nM30\n"), SizeIs(1));
+    EXPECT_THAT(findings("SIN207", define + "GRID[1,3]=5\nM30\n"), SizeIs(1));
+    EXPECT_THAT(findings("SIN207", define + "GRID[1,2]=5\nM30\n"), IsEmpty());
+    EXPECT_THAT(findings("SIN207", define + "FOR HOLE=0 TO 4\nIF HOLE<4\nG0 X=PLACE[HOLE]\nENDIF\nENDFOR\n"),
+                IsEmpty());
+    EXPECT_THAT(findings("SIN207", define + "FOR HOLE=0 TO 4\nG0 X=PLACE[HOLE]\nENDFOR\n"), SizeIs(1));
+    EXPECT_THAT(findings("SIN207", define + "HOLE=R5\nG0 X=PLACE[HOLE]\nM30\n"), IsEmpty());
+    EXPECT_THAT(findings("SIN208", "DEF STRING[8] NAME_\nNAME_[0]=\"A\"\nM30\n"), IsEmpty());
+    EXPECT_THAT(findings("SIN208", "PROC SUM(REAL PLACE[,])\nR1=PLACE[1,2]\nM17\n"), IsEmpty());
+    EXPECT_THAT(findings("SIN208", "PROC SUM(REAL PLACE[])\nR1=PLACE[1,2]\nM17\n"), SizeIs(1));
+}
+
+TEST(SinumerikFrames, AreInForceUntilTheyAreTakenBack) {
+    EXPECT_THAT(findings("MAC502", "TRANS X10\nG0 X0\nM30\n"), SizeIs(1));
+    EXPECT_THAT(findings("MAC502", "TRANS X10\nG0 X0\nROT\nM30\n"), IsEmpty());
+    EXPECT_THAT(findings("MAC502", "AROT RPL=45\nG0 X0\nATRANS X5\nTRANS\nM30\n"), IsEmpty());
+    EXPECT_THAT(findings("MAC502", "TRANS X10\nG0 X0\n$P_PFRAME=CTRANS()\nM30\n"), IsEmpty());
+    EXPECT_THAT(findings("MAC502", "PROC PART SAVE\nTRANS X10\nG0 X0\nM17\n"), IsEmpty());
+    EXPECT_THAT(findings("SIN504", "TRANS X10\nROT RPL=45\nG0 X0\n"), SizeIs(1));
+    EXPECT_THAT(findings("SIN504", "TRANS X10\nAROT RPL=45\nG0 X0\n"), IsEmpty());
+    EXPECT_THAT(findings("SIN504", "TRANS X10\nG0 X0\nROT RPL=45\nG0 X0\n"), IsEmpty());
+    EXPECT_THAT(findings("SIN504", "TRANS X10\nTRANS\nG0 X0\n"), IsEmpty());
+}
+
+TEST(SinumerikDistances, AreNoPositions) {
+    EXPECT_THAT(findings("SIN505", "G91\nX=$P_EP[X]\n"), SizeIs(1));
+    EXPECT_THAT(findings("SIN505", "G91 X5\nG90\nX=$P_EP[X]\n"), IsEmpty());
+    EXPECT_THAT(findings("SIN505", "G91 X5\nAGAIN: X=$P_EP[X]\n"), IsEmpty());
+    EXPECT_THAT(findings("SIN505", "G91\nX=10-$P_EP[X]\n"), IsEmpty());
+}
+
+TEST(SinumerikMachine, KnowsWhereTheToolIs) {
+    const std::string start = "G17 G90 G54\nG0 X20 Y0\n";
+    EXPECT_THAT(findings("MAC558", start + "G3 X20 Y0 CR=20 F100\nM30\n"), SizeIs(1));
+    EXPECT_THAT(findings("MAC558", start + "G0 AP=45 RP=30\nG3 X20 Y0 CR=20 F100\nM30\n"), IsEmpty());
+    EXPECT_THAT(findings("MAC558", start + "TRANS X5\nG3 X20 Y0 CR=20 F100\nM30\n"), IsEmpty());
+    EXPECT_THAT(findings("MAC510", start + "G41 G1 Z-5 F100\nG40\nX40\nM30\n"), SizeIs(1));
+    EXPECT_THAT(findings("MAC510", start + "G41 G1 X10 F100\nG40 X40\nM30\n"), IsEmpty());
+    EXPECT_THAT(findings("SIN502", start + "G41 G1 X10 F100\nM6\nM30\n"), SizeIs(1));
+    EXPECT_THAT(findings("SIN502", start + "G41 G1 X10 F100\nG40 X20\nM6\nM30\n"), IsEmpty());
+}
+
+TEST(SinumerikNames, AreThoseOfTheFile) {
+    EXPECT_THAT(findings("SIN408", "%_N_SLOT_SPF\nPROC _N_SLOT_SPF\nM17\n"), IsEmpty());
+    EXPECT_THAT(findings("SIN408", "%_N_SLOT_SPF\nPROC GROOVE\nM17\n"), SizeIs(1));
+    EXPECT_THAT(findings("SIN408", "PROC GROOVE\nM17\n"),
+                IsEmpty()); // the text has no name as the control has
+    EXPECT_THAT(findings("SIN201", "INI[2] \xE5\xB7\xA5\nDEF INT ROW\nM30\n"), IsEmpty());
+    EXPECT_THAT(findings("SIN204", "R1=$MC_ANY_DATA[0] R2=$SA_ANY R3=$P_UIFR[1,X,TR]\n"), IsEmpty());
+}
+
+/// What a line becomes by the first fix of the rule.
+std::string mended(std::string_view code, const std::string& line) {
+    const auto found = findings(code, line + "\nREADY: M30\n");
+    if (found.empty() || found.front().fixes.empty()) return "no fix";
+    std::string text = line;
+    const auto& edits = found.front().fixes.front().edits;
+    for (auto edit = edits.rbegin(); edit != edits.rend(); ++edit)
+        text.replace(edit->span.begin, edit->span.length(), edit->text);
+    return text;
+}
+
+TEST(SinumerikFixes, WriteWhatWasMeant) {
+    EXPECT_EQ(mended("SIN105", "G1 Z-DEPTH"), "G1 Z=-DEPTH");
+    EXPECT_EQ(mended("SIN105", "T\"DRILL\""), "T=\"DRILL\"");
+    EXPECT_EQ(mended("SIN106", "-------- bore"), ";-------- bore");
+    EXPECT_EQ(mended("SIN107", "G0 X5 (bore)"), "G0 X5 ; bore");
+    EXPECT_EQ(mended("SIN107", "(bore) G0 X5"), "no fix");
+    EXPECT_EQ(mended("SIN109", "GOTOF READY:"), "GOTOF READY");
+    EXPECT_EQ(mended("MAC119", "IF R1 EQ 2 GOTOF READY"), "IF R1 == 2 GOTOF READY");
+    EXPECT_EQ(mended("MAC129", "IF R1=2 GOTOF READY"), "IF R1==2 GOTOF READY");
+    EXPECT_EQ(mended("MAC121", "X=-[R1+5]"), "X=-(R1+5)");
+    EXPECT_EQ(mended("MAC121", "MSG(\xE2\x80\x9CRow\xE2\x80\x9D)"), "MSG(\"Row\")");
+    EXPECT_EQ(mended("MAC301", "GOTOB READY"), "GOTOF READY");
+    EXPECT_EQ(mended("MAC728", "IF R1==1 AND R2<>0 GOTOF READY"), "IF (R1==1) AND (R2<>0) GOTOF READY");
+}
+
 TEST(SinumerikRules, ThatWereNotTriedAreNotAsked) {
     EXPECT_FALSE(applies_to(*find_rule("MAC336"), *find_control("sinumerik")));
     EXPECT_TRUE(applies_to(*find_rule("MAC301"), *find_control("sinumerik")));

@@ -58,6 +58,7 @@ void Programs::open(std::string written) {
         program.builder.add_name(whole);
         program.builder.add_name("_N_" + whole);
         program.builder.set_started(ending->started);
+        program.has_file_name = true;
     }
     program.builder.begin_section("program",
                                   ending == nullptr ? Section::Executed::when_reached : ending->executed, {});
@@ -80,8 +81,35 @@ OpenProgram& Programs::current() {
     return open_.back();
 }
 
+/// A part that REPEAT names and that is not there; a GOTO whose label stands before it and behind it: it
+/// takes the one behind [NCI].
+void Programs::check_labels(const OpenProgram& program) {
+    const auto error = [&](SyntaxErrorKind kind, const NamedPlace& place, std::string cure) {
+        file_.syntax_errors.push_back(
+            {kind, place.span, std::string(source_.bytes(place.span)), std::move(cure)});
+    };
+    for (const NamedPlace& part : program.repeated)
+        if (std::ranges::find(program.labels, part.name, &NamedPlace::name) == program.labels.end())
+            error(SyntaxErrorKind::mark_missing, part, "");
+    for (const NamedPlace& jump : program.both_ways) {
+        const NamedPlace* ahead = nullptr;
+        bool behind = false;
+        for (const NamedPlace& label : program.labels) {
+            if (label.name != jump.name) continue;
+            behind |= label.span.begin < jump.span.begin;
+            if (ahead == nullptr && label.span.begin > jump.span.begin) ahead = &label;
+        }
+        if (behind && ahead != nullptr)
+            error(SyntaxErrorKind::ambiguous_jump, jump,
+                  std::to_string(source_.position(ahead->span.begin).line));
+    }
+}
+
 void Programs::close() {
-    for (OpenProgram& program : open_) file_.programs.push_back(program.builder.take());
+    for (OpenProgram& program : open_) {
+        check_labels(program);
+        file_.programs.push_back(program.builder.take());
+    }
 }
 
 } // namespace maclint::sinumerik

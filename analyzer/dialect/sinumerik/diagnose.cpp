@@ -51,8 +51,10 @@ std::optional<SyntaxError> bare_remark(std::string_view text, std::span<const To
                         std::ranges::all_of(tokens.first(fewest),
                                             [](const Token& token) { return token.kind == TokenKind::sign; });
     if (!dashes && tokens[0].kind != TokenKind::other) return std::nullopt;
-    return error_at(text, SyntaxErrorKind::unreadable, {tokens.front().span.begin, tokens.back().span.end},
-                    "a ';' before a remark");
+    SyntaxError error = error_at(text, SyntaxErrorKind::remark_without_sign,
+                                 {tokens.front().span.begin, tokens.back().span.end}, "';'");
+    error.remedy = remark_remedy(error.span.begin);
+    return error;
 }
 
 /// `CASE R1 OF 1 GOTOF ONE DEFAULT OTHER`.
@@ -63,7 +65,20 @@ std::optional<SyntaxError> case_without_jump(std::string_view text, std::span<co
     const auto word = std::ranges::find_if(tokens, [&](const Token& token) { return is(token, "DEFAULT"); });
     const bool is_case = std::ranges::any_of(tokens, [&](const Token& token) { return is(token, "CASE"); });
     if (!is_case || word == tokens.end()) return std::nullopt;
-    return error_at(text, SyntaxErrorKind::unreadable, word->span, "a jump such as GOTOF behind it");
+    return error_at(text, SyntaxErrorKind::malformed_case, word->span, "a jump such as GOTOF behind it");
+}
+
+/// A block is one line: `PROC SLOT(REAL WIDTH,` and the rest in the next one.
+std::optional<SyntaxError> split_declaration(std::string_view text, std::span<const Token> tokens) {
+    const auto word = std::ranges::find(tokens, TokenKind::name, &Token::kind);
+    if (word == tokens.end() || word != tokens.begin()) return std::nullopt;
+    const std::string first = in_capitals(text_of(text, *word));
+    if (first != "PROC" && first != "DEF" && first != "EXTERN") return std::nullopt;
+    const auto opened = std::ranges::count(tokens, TokenKind::open, &Token::kind);
+    const auto closed = std::ranges::count(tokens, TokenKind::close, &Token::kind);
+    const Token& last = tokens.back();
+    if (text_of(text, last) != "," && !(opened > closed && text_of(text, last) == "(")) return std::nullopt;
+    return error_at(text, SyntaxErrorKind::split_declaration, {tokens.front().span.begin, last.span.end}, "");
 }
 
 /// `WHLIE R1<5`
@@ -100,6 +115,8 @@ std::optional<SyntaxError> bracket_mismatch(std::string_view text, std::span<con
 
 } // namespace
 
+Remedy remark_remedy(Offset begin) { return {"Write ; before it", true, {{{begin, begin}, ";"}}}; }
+
 std::string_view label_in(std::string_view written) {
     if (written.ends_with(wide_colon)) written.remove_suffix(wide_colon.size());
     if (written.ends_with(':')) written.remove_suffix(1);
@@ -123,8 +140,8 @@ SyntaxError find_parse_error(std::string_view text, Span block, const syntax::Tr
 
 std::optional<SyntaxError> find_cause(std::string_view text, Span block) {
     const std::vector<Token> tokens = tokens_of(text, block);
-    for (const auto cause : {&bare_remark, &unclosed_text, &placeholder, &bracket_mismatch,
-                             &case_without_jump, &misspelled_opener})
+    for (const auto cause : {&bare_remark, &unclosed_text, &placeholder, &split_declaration,
+                             &bracket_mismatch, &case_without_jump, &misspelled_opener})
         if (std::optional<SyntaxError> found = cause(text, tokens)) return found;
     return std::nullopt;
 }

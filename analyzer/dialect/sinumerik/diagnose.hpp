@@ -19,6 +19,8 @@ namespace maclint::sinumerik {
 /// What an unreadable block may do, judged by the words in it.
 [[nodiscard]] NamedInBlock names_in(OpenProgram& program, Span block);
 
+/// Makes a remark of what stands there.
+[[nodiscard]] Remedy remark_remedy(Offset begin);
 /// The name before the colon of a label, whichever colon it is.
 [[nodiscard]] std::string_view label_in(std::string_view written);
 /// The colon of Chinese keyboards, which is none.

@@ -29,7 +29,11 @@ void BlockLowering::lower(const syntax::Tree& tree, Span block, OpenProgram& pro
         items_.clear();
         for_each_child(*node, [this](const Node& child) { items_.push_back(&child); });
         const std::span<const Node* const> items = take_head(lowered, items_);
-        check_alone(items);
+        check_alone(items, lowered);
+        check_action_number(items);
+        note_first_code(items);
+        watch_frames(items);
+        watch_distance(items, lowered);
         for (const Node* item : items) // P3 stands behind the call that it repeats
             if (kind_of(*item) == Kind::literal_word && to_capital(text(*item).front()) == 'P')
                 passes_ = lower_number(text(*item).substr(1), span(*item));
@@ -86,6 +90,7 @@ void BlockLowering::take_label(Block& block, const Node& node) {
     const std::string_view name = label_in(written);
     block.name = builder_->block_name(in_capitals(name));
     block.name_span = span(node);
+    open_->labels.push_back({in_capitals(name), span(node)});
 }
 
 void BlockLowering::lower_item(const Node& node) {
@@ -151,27 +156,35 @@ void BlockLowering::lower_statement(const Node& node) {
     case Kind::iso_call: lower_other_call(node); break;
     case Kind::then_statement:
     case Kind::elseif_statement: builder_->add_unreadable({{}, {}, true, false}, span(node)); break;
-    default: break; // EXTERN, REDEF
+    case Kind::external_declaration: lower_external(node); break;
+    default: break; // REDEF
     }
+}
+
+/// Definitions stand before the first block that does something [T808 p.126].
+void BlockLowering::note_first_code(std::span<const Node* const> items) {
+    const auto defines = [](Kind kind) {
+        return kind == Kind::definition || kind == Kind::external_declaration;
+    };
+    const auto does_nothing = [&](const Node* item) {
+        const Kind kind = kind_of(*item);
+        return defines(kind) || kind == Kind::redefinition || kind == Kind::macro_definition ||
+               kind == Kind::program_definition;
+    };
+    if (items.empty()) return;
+    if (!open_->first_code.empty() && defines(kind_of(*items.front())))
+        report(SyntaxErrorKind::late_definition, span(*items.front()),
+               std::string(program_->slice(open_->first_code)));
+    const bool has_remark = std::ranges::any_of(items, [](const Node* item) {
+        return kind_of(*item) == Kind::remark || kind_of(*item) == Kind::foreign_comment;
+    });
+    if (open_->first_code.empty() && !has_remark && !std::ranges::all_of(items, does_nothing))
+        open_->first_code = block_;
 }
 
 void BlockLowering::mark(const Node& node, RegionKind region_kind, Part part,
                          std::optional<ExpressionId> condition) {
     effect({RegionMark{region_kind, part, std::nullopt, condition}, span(node)});
-}
-
-/// Runs beside the program from here on, or with the next block: what it stores may change at any time. R
-/// parameters are written `$R[1]` there, and are taken in here; all else that it stores in is the control's.
-void BlockLowering::lower_action(const Node& node) {
-    for_each_child(node, [this](const Node& part) {
-        if (field_of(part) != Field::action && field_of(part) != Field::alternative) return;
-        const Node* target = child(part, Field::left);
-        if (target == nullptr) return;
-        if (const auto variable = variable_of(*target)) {
-            const std::array in{*variable};
-            builder_->add_exchange({}, in, span(part));
-        }
-    });
 }
 
 const syntax::Node* BlockLowering::child(const Node& node, Field field) const {

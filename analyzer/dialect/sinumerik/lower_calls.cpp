@@ -8,9 +8,18 @@
 
 #include <algorithm>
 #include <array>
+#include <utility>
 
 namespace maclint::sinumerik {
 namespace {
+
+constexpr std::string_view type_names[] = {"REAL", "INT", "BOOL", "CHAR", "STRING", "AXIS", "FRAME"};
+
+VariableType kind_of_type(std::string_view name) {
+    if (name == "REAL") return VariableType::number;
+    if (name == "INT" || name == "CHAR") return VariableType::integer;
+    return name == "BOOL" ? VariableType::truth : VariableType::text; // STRING, AXIS, FRAME: no numbers
+}
 
 /// A cycle that moves leaves modes and variables as they are; one that sets something may do anything.
 CallKindId kind_of_cycle(std::string_view capitals) {
@@ -23,14 +32,17 @@ CallKindId kind_of_cycle(std::string_view capitals) {
 
 // ---- definitions
 
-VariableType BlockLowering::type_of(const Node& type) const {
-    const std::string name = upper_text(type);
-    if (name == "REAL") return VariableType::number;
-    if (name == "INT" || name == "CHAR") return VariableType::integer;
-    return name == "BOOL" ? VariableType::truth : VariableType::text; // STRING, AXIS, FRAME: no numbers
+/// "STRING" of `STRING[20]`.
+std::string_view BlockLowering::type_name(const Node& type) const {
+    const std::string written = upper_text(type);
+    const auto* row =
+        std::ranges::find_if(type_names, [&](std::string_view name) { return written.starts_with(name); });
+    return row == std::end(type_names) ? std::string_view{} : *row;
 }
 
 void BlockLowering::lower_program_definition(const Node& node) {
+    builder_->set_definition(span(node));
+    if (const Node* name = child(node, Field::name)) check_program_name(*name);
     if (const Node* list = child(node, Field::parameters))
         for_each_child(*list, [this](const Node& part) {
             if (kind_of(part) == Kind::parameter) lower_parameter(part);
@@ -45,7 +57,8 @@ void BlockLowering::lower_program_definition(const Node& node) {
 void BlockLowering::save_modes(Span here) {
     const auto& groups = program_->control->groups;
     for (std::size_t i = 0; i < groups.size(); ++i) {
-        if (groups[i].restore_policy == RestorePolicy::none) continue;
+        const RestorePolicy policy = groups[i].restore_policy;
+        if (policy != RestorePolicy::state && policy != RestorePolicy::operation) continue;
         const auto group = static_cast<GroupId>(i);
         const std::string name = "SAVE " + std::string(groups[i].name); // no name of a program holds a blank
         const Variable kept{spaces::local, builder_->number_of_name(spaces::local, name)};
@@ -65,15 +78,15 @@ void BlockLowering::lower_parameter(const Node& node) {
     const Node* name = child(node, Field::name);
     if (type == nullptr || name == nullptr) return;
     const std::string capitals = upper_text(*name);
+    check_taken(*name);
     const Variable variable{spaces::parameter, builder_->number_of_name(spaces::parameter, capitals)};
     const bool reference = child(node, Field::reference) != nullptr;
-    builder_->add_formal(
-        {variable, capitals, reference ? Passing::by_reference : Passing::by_value, span(*name)});
-    if (child(node, Field::size) != nullptr) {
-        open_->arrays.insert(capitals);
-        return;
-    }
-    Declaration declaration{type_of(*type), std::nullopt, span(*name)};
+    const Node* size = child(node, Field::size);
+    const std::string_view written = type_name(*type);
+    builder_->add_formal({variable, capitals, reference ? Passing::by_reference : Passing::by_value,
+                          span(*name), written, size != nullptr, child(node, Field::value) != nullptr});
+    if (size != nullptr) return define_array(*name, *size, written);
+    Declaration declaration{kind_of_type(written), std::nullopt, span(*name), written};
     if (const Node* value = child(node, Field::value))
         declaration.initial = literal_value(lower_expression(*value));
     builder_->declare(variable, declaration);
@@ -84,27 +97,64 @@ void BlockLowering::lower_definition(const Node& node) {
     const Node* type = child(node, Field::type);
     if (type == nullptr) return;
     for_each_child(node, [&](const Node& part) {
-        if (kind_of(part) == Kind::declarator) lower_declarator(part, type_of(*type));
+        if (kind_of(part) == Kind::declarator) lower_declarator(part, *type);
     });
 }
 
-/// What is defined is 0 before anything is stored in it, or the value beside its name [NCP19 p.409].
-void BlockLowering::lower_declarator(const Node& node, VariableType type) {
+/// What EXTERN says of a program's parameters.
+void BlockLowering::lower_external(const Node& node) {
     const Node* name = child(node, Field::name);
     if (name == nullptr) return;
+    ExternalDeclaration declared{upper_text(*name), {}, span(node)};
+    if (const Node* list = child(node, Field::parameters))
+        for_each_child(*list, [&](const Node& part) {
+            const Node* type = child(part, Field::type);
+            if (kind_of(part) != Kind::parameter || type == nullptr) return;
+            const bool reference = child(part, Field::reference) != nullptr;
+            declared.parameters.push_back({type_name(*type),
+                                           reference ? Passing::by_reference : Passing::by_value,
+                                           child(part, Field::size) != nullptr});
+        });
+    builder_->add_external(std::move(declared));
+}
+
+void BlockLowering::define_array(const Node& name, const Node& size, std::string_view type) {
+    Array array{{}, type, span(name)};
+    bool gap = true; // between commas nothing stands yet
+    for_each_below(size, [&](const Node& part) {
+        if (!part.named) {
+            if (text(part) == "," && std::exchange(gap, true)) array.sizes.emplace_back();
+        } else if (!is_remark(part)) {
+            gap = false;
+            const auto number = literal_value(lower_expression(part));
+            array.sizes.push_back(number ? std::optional(static_cast<std::int32_t>(*number)) : std::nullopt);
+        }
+    });
+    if (gap) array.sizes.emplace_back();
+    open_->arrays.insert_or_assign(upper_text(name), std::move(array));
+}
+
+/// What is defined is 0 before anything is stored in it, or the value beside its name [NCP19 p.409].
+void BlockLowering::lower_declarator(const Node& node, const Node& type) {
+    const Node* name = child(node, Field::name);
+    if (name == nullptr) return;
+    check_taken(*name);
+    check_initial_values(node);
     const std::string capitals = upper_text(*name);
     const Node* value = child(node, Field::value);
     std::optional<ExpressionId> initial;
     if (value != nullptr)
         initial =
             kind_of(*value) == Kind::value_list ? lower_all(*value, span(*value)) : lower_expression(*value);
-    if (child(node, Field::size) != nullptr) {
-        open_->arrays.insert(capitals);
+    const std::string_view written = type_name(type);
+    if (const Node* size = child(node, Field::size)) {
+        define_array(*name, *size, written);
         if (initial) evaluate(*initial, span(node));
         return;
     }
+    if (value != nullptr) check_stored(written, *value);
     const Variable variable{spaces::local, builder_->number_of_name(spaces::local, capitals)};
-    Declaration declaration{type, std::nullopt, span(*name)};
+    Declaration declaration{kind_of_type(written), std::nullopt, span(*name), written};
     if (initial) declaration.initial = literal_value(*initial);
     builder_->declare(variable, declaration);
     open_->variables.emplace(capitals, variable);

@@ -2,6 +2,7 @@
 #include "analyzer/dialect/ascii.hpp"
 #include "analyzer/dialect/sinumerik/diagnose.hpp"
 #include "analyzer/dialect/sinumerik/keywords.hpp"
+#include "analyzer/dialect/sinumerik/limits.hpp"
 #include "analyzer/dialect/sinumerik/lowering.hpp"
 #include "analyzer/program/faults.hpp"
 
@@ -16,13 +17,18 @@ constexpr std::pair<std::string_view, std::string_view> foreign_signs[] = {
     {"EQ", "=="}, {"NE", "<>"}, {"GT", ">"},  {"GE", ">="}, {"LT", "<"},
     {"LE", "<="}, {"=<", "<="}, {"=>", ">="}, {"!=", "<>"}, {"><", "<>"}};
 
-/// The first two characters are letters or `_` [FUND04 p.60].
-constexpr std::string_view name_form = "a name that begins with two letters";
+Span first_byte(Span span) { return {span.begin, span.begin + 1}; }
+Span last_byte(Span span) { return {span.end - 1, span.end}; }
 
 } // namespace
 
 void BlockLowering::report_expected(Span here, std::string_view expected) {
     report(SyntaxErrorKind::unreadable, here, std::string(expected));
+}
+
+void BlockLowering::report_with(SyntaxErrorKind kind, Span here, std::string cure, Remedy remedy) {
+    report(kind, here, std::move(cure));
+    syntax_errors_.back().remedy = std::move(remedy);
 }
 
 /// What is wrong with single nodes. Parents stand before their children.
@@ -57,21 +63,28 @@ void BlockLowering::check_logic(const Node& comparison) {
     Nodes words;
     words_between_comparisons(comparison, words);
     if (words.empty()) return;
-    const auto trimmed = [](std::string_view part) {
-        while (part.ends_with(' ')) part.remove_suffix(1);
-        while (part.starts_with(' ')) part.remove_prefix(1);
+    const auto trimmed = [this](Span part) {
+        while (part.length() != 0 && program_->text[part.end - 1] == ' ') --part.end;
+        while (part.length() != 0 && program_->text[part.begin] == ' ') ++part.begin;
         return part;
     };
     const Span whole = span(comparison);
     Offset done = whole.begin;
-    std::string cure = "(";
+    std::string cure;
+    Remedy remedy{"Put each comparison in brackets", false, {}};
+    const auto add_part = [&](Span part) {
+        part = trimmed(part);
+        cure.append("(").append(program_->slice(part)).append(")");
+        remedy.changes.push_back({{part.begin, part.begin}, "("});
+        remedy.changes.push_back({{part.end, part.end}, ")"});
+    };
     for (const Node* word : words) {
-        cure.append(trimmed(program_->slice({done, span(*word).begin})));
-        cure.append(") ").append(text(*word)).append(" (");
+        add_part({done, span(*word).begin});
+        cure.append(" ").append(text(*word)).append(" ");
         done = span(*word).end;
     }
-    cure.append(trimmed(program_->slice({done, whole.end}))).append(")");
-    report(SyntaxErrorKind::logic_outside_brackets, whole, std::move(cure));
+    add_part({done, whole.end});
+    report_with(SyntaxErrorKind::logic_outside_brackets, whole, std::move(cure), std::move(remedy));
 }
 
 void BlockLowering::check_token(const Node& node, const Node* parent) {
@@ -88,22 +101,34 @@ void BlockLowering::check_token(const Node& node, const Node* parent) {
                    std::string(program_->slice({here.end, whole.end})));
         break;
     }
-    case Kind::comparison: check_logic(node); break;
+    case Kind::comparison:
+        check_logic(node);
+        check_operands(node);
+        break;
     case Kind::foreign_operator: {
         const auto* sign = std::ranges::find(foreign_signs, upper_text(node),
                                              &std::pair<std::string_view, std::string_view>::first);
-        report(SyntaxErrorKind::unknown_keyword, here,
-               sign == std::end(foreign_signs) ? "" : std::string(sign->second));
+        if (sign == std::end(foreign_signs)) break;
+        report_with(SyntaxErrorKind::symbolic_comparison, here, std::string(sign->second),
+                    {"Write the comparison of this control", true, {{here, sign->second}}});
         break;
     }
     case Kind::then_statement:
-    case Kind::foreign_keyword: report(SyntaxErrorKind::unknown_keyword, here, ""); break;
-    case Kind::remark:
-    case Kind::foreign_comment: report_expected(here, "a ';' before a remark"); break;
-    case Kind::unassigned_word:
-        if (const Node* address = child(node, Field::address))
-            report(SyntaxErrorKind::unreadable, here, "a '=' after '" + upper_text(*address) + "'");
+        report_with(SyntaxErrorKind::foreign_keyword, here,
+                    "the branch alone, which begins with the next block",
+                    {"Remove THEN", true, {{here, ""}}});
         break;
+    case Kind::foreign_keyword:
+        report(SyntaxErrorKind::foreign_keyword, here, "ELSE, and an IF with its ENDIF of its own in it");
+        break;
+    case Kind::remark:
+        report_with(SyntaxErrorKind::remark_without_sign, here, "';'", remark_remedy(here.begin));
+        break;
+    case Kind::foreign_comment: report_parentheses(node); break;
+    case Kind::unassigned_word: report_missing_equals(node); break;
+    case Kind::string: check_text(node); break;
+    case Kind::binary: check_operands(node); break;
+    case Kind::system_variable: check_system_variable(node); break;
     case Kind::empty_word: {
         const bool in_remark =
             node.next_sibling != syntax::no_node && kind_of(tree_->nodes[node.next_sibling]) == Kind::remark;
@@ -111,18 +136,23 @@ void BlockLowering::check_token(const Node& node, const Node* parent) {
         break;
     }
     case Kind::malformed_word: check_number(node); break;
-    case Kind::malformed_name: report_expected(here, name_form); break;
-    case Kind::declarator: // DEF REAL L1; a parameter may have one letter
-        if (const Node* name = child(node, Field::name); name != nullptr && kind_of(*name) == Kind::axis_name)
-            report_expected(span(*name), name_form);
+    case Kind::malformed_name:
+        if (parent == nullptr || kind_of(*parent) != Kind::declarator)
+            report(SyntaxErrorKind::malformed_name, here, "its first two characters are not letters or _");
+        break;
+    case Kind::declarator: // a parameter may have one letter
+        if (const Node* name = child(node, Field::name)) check_name(*name, limits::variable_name);
         break;
     case Kind::unclosed_string: report_expected(here, "a '\"' at the end of the text"); break;
-    case Kind::typographic_string: report_expected(here, "straight quotation marks '\"'"); break;
-    case Kind::square_parenthesis: report_expected(here, "'(' and ')' around a calculation"); break;
+    case Kind::typographic_string: report_quotes(here); break;
+    case Kind::square_parenthesis:
+        report_with(SyntaxErrorKind::unreadable, here, "'(' and ')' around a calculation",
+                    {"Write ( ) around it", true, {{first_byte(here), "("}, {last_byte(here), ")"}}});
+        break;
     case Kind::foreign_variable: report_expected(here, "an R parameter or a variable with a name"); break;
     case Kind::label:
         if (parent != nullptr && kind_of(*parent) == Kind::goto_statement)
-            report_expected(here, "the label without its colon");
+            report_colon_in_jump(node);
         else if (text(node).ends_with(wide_colon))
             file_wide_colon(node);
         break;
@@ -146,12 +176,59 @@ void BlockLowering::check_number(const Node& word) {
 void BlockLowering::file_wide_colon(const Node& label) {
     const Span whole = span(label);
     const Span colon{whole.end - static_cast<Offset>(wide_colon.size()), whole.end};
-    report(SyntaxErrorKind::wide_sign, colon, ":");
+    report_with(SyntaxErrorKind::wide_sign, colon, ":", {"Write ':'", true, {{colon, ":"}}});
+}
+
+/// `(text)` at the end of a block.
+void BlockLowering::report_parentheses(const Node& remark) {
+    const Span here = span(remark);
+    bool last = true;
+    for (auto next = remark.next_sibling; next != syntax::no_node; next = tree_->nodes[next].next_sibling)
+        last &= is_remark(tree_->nodes[next]);
+    std::string cure = "; ";
+    cure.append(program_->slice({here.begin + 1, here.end - 1}));
+    report(SyntaxErrorKind::foreign_remark, here, last ? std::move(cure) : "");
+}
+
+/// `Z-DEPTH`, `T"DRILL"`
+void BlockLowering::report_missing_equals(const Node& word) {
+    const Node* address = child(word, Field::address);
+    if (address == nullptr) return;
+    const Offset behind = span(*address).end;
+    std::string cure(text(*address));
+    cure.append("=").append(program_->slice({behind, span(word).end}));
+    report_with(SyntaxErrorKind::missing_equals, span(word), std::move(cure),
+                {"Write = behind the address", true, {{{behind, behind}, "="}}});
+}
+
+void BlockLowering::report_colon_in_jump(const Node& label) {
+    const Span here = span(label);
+    const std::string_view name = label_in(text(label));
+    const Span colon{here.begin + static_cast<Offset>(name.size()), here.end};
+    report_with(SyntaxErrorKind::colon_in_jump, here, std::string(name),
+                {"Remove the colon", true, {{colon, ""}}});
+}
+
+/// The quotation marks of a text processor, each of two or three bytes.
+void BlockLowering::report_quotes(Span here) {
+    const std::string_view written = program_->slice(here);
+    const auto continues = [&](std::size_t at) {
+        constexpr unsigned char mask = 0xC0, follows = 0x80;
+        return at < written.size() && (static_cast<unsigned char>(written[at]) & mask) == follows;
+    };
+    Offset first = 1;
+    while (continues(first)) ++first;
+    Offset last = here.length() - 1;
+    while (last > first && continues(last)) --last;
+    report_with(SyntaxErrorKind::unreadable, here, "straight quotation marks '\"'",
+                {"Write straight quotation marks",
+                 true,
+                 {{{here.begin, here.begin + first}, "\""}, {{here.begin + last, here.end}, "\""}}});
 }
 
 /// A block without a number for the next one lost its line end; what stands behind the condition of an IF
 /// that opens a branch, or beside ELSE and the like, is no block.
-void BlockLowering::check_alone(std::span<const Node* const> items) {
+void BlockLowering::check_alone(std::span<const Node* const> items, const Block& head) {
     const auto is_structure = [](const Node* item) {
         switch (kind_of(*item)) {
         case Kind::else_statement:
@@ -165,15 +242,24 @@ void BlockLowering::check_alone(std::span<const Node* const> items) {
         }
     };
     for (const Node* item : items)
-        if (kind_of(*item) == Kind::block_number) report_expected(span(*item), "a new line before it");
+        if (kind_of(*item) == Kind::block_number)
+            report_with(SyntaxErrorKind::second_block, span(*item), "",
+                        {"Begin a new line", true, {{{span(*item).begin, span(*item).begin}, "\n"}}});
     const bool remarks = std::ranges::any_of(items, [](const Node* item) {
         return kind_of(*item) == Kind::remark || kind_of(*item) == Kind::foreign_comment;
     });
-    if (items.size() < 2 || remarks) return;
     const auto structure = std::ranges::find_if(items, is_structure);
     const auto branch = std::ranges::find_if(items, [&](const Node* item) {
         return kind_of(*item) == Kind::if_statement && child(*item, Field::jump) == nullptr;
     });
+    const bool opens = !items.empty() && (kind_of(*items.front()) == Kind::while_statement ||
+                                          kind_of(*items.front()) == Kind::for_statement ||
+                                          kind_of(*items.front()) == Kind::until_statement);
+    if (head.name && (opens || structure != items.end() || branch != items.end()))
+        report(SyntaxErrorKind::head_at_structure, head.name_span, "");
+    else if (head.skip_levels != 0 && (opens || structure != items.end() || branch != items.end()))
+        report(SyntaxErrorKind::head_at_structure, first_byte(block_), "");
+    if (items.size() < 2 || remarks) return;
     const bool slip = std::ranges::any_of(items, [&](const Node* item) { // IF R1==1 GOTFO NEXT
         return kind_of(*item) == Kind::then_statement ||
                (kind_of(*item) == Kind::command && !jump_meant_by(upper_text(*item)).empty());
@@ -182,9 +268,9 @@ void BlockLowering::check_alone(std::span<const Node* const> items) {
     if (branch != items.end() && structure == items.end()) {
         const Span whole = span(**branch);
         constexpr Offset length_of_if = 2;
-        return report_expected({whole.begin, whole.begin + length_of_if}, "a block of its own for it");
+        return report(SyntaxErrorKind::not_alone, {whole.begin, whole.begin + length_of_if}, "");
     }
-    if (structure != items.end()) report_expected(span(**structure), "a block of its own for it");
+    if (structure != items.end()) report(SyntaxErrorKind::not_alone, span(**structure), "");
 }
 
 } // namespace maclint::sinumerik

@@ -136,7 +136,7 @@ ExpressionId BlockLowering::lower_indexed(const Node& node) {
     const Node* address = child(node, Field::address);
     if (index == nullptr) return unreadable(span(node));
     if (address != nullptr && upper_text(*address) == "R") return lower_r(*index, span(node));
-    evaluate(lower_all(*index, span(node)), span(node));
+    lower_index(node, span(node));
     return changing(without_blanks(text(node)), span(node));
 }
 

@@ -39,8 +39,11 @@ void BlockLowering::lower_for(const Node& node) {
     std::optional<Variable> variable;
     std::optional<ExpressionId> condition = nobody_knows(span(node));
     if (counter != nullptr && first != nullptr && last != nullptr) {
-        store(*counter, lower_expression(*first), span(node));
+        const ExpressionId start = lower_expression(*first);
+        store(*counter, start, span(node));
         const ExpressionId end = lower_expression(*last);
+        const auto from = literal_value(start), to = literal_value(end);
+        if (from && to && *from > *to) report(SyntaxErrorKind::empty_counting, span(node), "");
         variable = variable_of(*counter);
         if (variable) {
             const std::array operands{add({Load{*variable}, span(*counter)}), end};
@@ -66,6 +69,7 @@ void BlockLowering::end_for(const Node& node) {
 void BlockLowering::lower_case(const Node& node) {
     const Node* selected = child(node, Field::value);
     if (selected == nullptr) return;
+    case_values_.clear();
     for_each_child(node, [&](const Node& arm) {
         const Kind kind = kind_of(arm);
         if (kind != Kind::case_arm && kind != Kind::default_arm) return;
@@ -76,10 +80,22 @@ void BlockLowering::lower_case(const Node& node) {
         if (jump == nullptr) return;
         if (kind == Kind::default_arm) return lower_jump(*jump);
         const Node* value = child(arm, Field::value);
+        if (value != nullptr) check_arm(arm, *value);
         const std::array operands{lower_expression(*selected),
                                   value == nullptr ? unreadable(span(arm)) : lower_expression(*value)};
         lower_guarded_jump(apply(Operation::equal, operands, span(arm)), *jump, span(arm));
     });
+}
+
+void BlockLowering::check_arm(const Node& arm, const Node& value) {
+    if (const Node* again = child(arm, Field::again))
+        report(SyntaxErrorKind::malformed_case, span(*again), "it once, behind the value of CASE");
+    const std::string written = without_blanks(text(value));
+    const bool known = std::ranges::find(case_values_, written) != case_values_.end();
+    if (known)
+        report(SyntaxErrorKind::value_twice, span(arm), "");
+    else
+        case_values_.push_back(written);
 }
 
 void BlockLowering::lower_jump(const Node& node) {
@@ -89,6 +105,10 @@ void BlockLowering::lower_jump(const Node& node) {
     if (word == "GOTOF") jump.search = LabelSearch::forward;
     if (word == "GOTOB") jump.search = LabelSearch::backward;
     if (word == "GOTOC") jump.missing = MissingLabel::skip;
+    const Node* target = child(node, Field::target);
+    const bool both_ways = jump.search == LabelSearch::forward_then_backward;
+    if (both_ways && target != nullptr && kind_of(*target) == Kind::name)
+        open_->both_ways.push_back({upper_text(*target), span(node)});
     effect({jump, span(node)});
 }
 
@@ -116,6 +136,7 @@ ExpressionId BlockLowering::jump_target(const Node& node) {
         name.remove_suffix(1);
         return label_named(name, here);
     }
+    case Kind::concatenation: return lower_expression(*target);
     default: evaluate(lower_expression(*target), here); return nobody_knows(here);
     }
 }
@@ -148,7 +169,14 @@ void BlockLowering::lower_repetition(const Node& node) {
                 may.labels.emplace_back(*number);
             else
                 may.labels.emplace_back(builder_->block_name(upper_text(*name)));
+            if (kind_of(*name) == Kind::name && !open_->macros.contains(upper_text(*name)))
+                open_->repeated.push_back({upper_text(*name), span(*name)});
         }
+    // What the part sets is in force behind it.
+    effect({SetModal{std::nullopt, changing("", span(node))}, span(node)});
+    forget_frames(span(node));
+    const auto passes = passes_ ? literal_value(*passes_) : std::nullopt;
+    if (passes && *passes < 1) report(SyntaxErrorKind::passes_out_of_range, expression(*passes_).span, "1");
     for (const auto& [name, variable] : open_->variables) may.variables.push_back(variable);
     std::ranges::sort(may.variables, {}, [](Variable v) { return std::pair(v.space, v.number); });
     may.may_call_or_return = true;

@@ -92,6 +92,7 @@ void BlockLowering::lower_code(std::string_view name, Span here) {
     const std::optional<SettingOfCode> setting = setting_of(name);
     if (!setting) return call_anything(here);
     moves_ |= setting->moves;
+    lower_frame(name, here);
     if (setting->sets) effect({SetModal{setting->sets->group, literal(setting->sets->code, here)}, here});
 }
 
@@ -101,12 +102,14 @@ void BlockLowering::lower_function_of_machine(double number, Span here) {
         effect({Stop{Stop::Kind::pause, std::nullopt}, here});
     if (number == end || number == end_and_back) effect({Stop{Stop::Kind::end, std::nullopt}, here});
     if (number == end_of_subprogram) go_back({}, here);
+    if (number == tool_change) effect({ToolChange{}, here});
 }
 
 void BlockLowering::lower_assignment(const Node& node) {
     const Node* left = child(node, Field::left);
     const Node* right = child(node, Field::right);
     if (left == nullptr || right == nullptr) return;
+    check_stored(type_of_value(*left), *right);
     const ExpressionId value =
         kind_of(*right) == Kind::value_list ? lower_all(*right, span(*right)) : lower_expression(*right);
     store(*left, value, span(node));
@@ -128,7 +131,10 @@ void BlockLowering::store(const Node& target, ExpressionId value, Span whole) {
         if (kind_of(target) == Kind::address) {
             add_word(address, value, whole);
             set_value(address.front(), value, whole);
-            moves_ |= axes.find(address.front()) != std::string_view::npos;
+            const bool axis = axes.find(address.front()) != std::string_view::npos;
+            moves_ |= axis;
+            if (const Node* given = parent_of(target); axis && given != nullptr)
+                if (const Node* right = child(*given, Field::right)) check_distance(*given, *right);
         }
         if (address == "M") call_anything(whole);
         break;
@@ -152,17 +158,22 @@ void BlockLowering::store(const Node& target, ExpressionId value, Span whole) {
     }
     case Kind::name:
         add_word(upper_text(target), value, whole);
+        moves_ |= upper_text(target) == "AP" || upper_text(target) == "RP"; // a pole's angle and radius
         evaluate(value, whole);
         break;
     case Kind::indexed_name:
-        if (const Node* index = child(target, Field::index)) evaluate(lower_all(*index, whole), whole);
+        lower_index(target, whole);
         evaluate(value, whole);
         if (const Node* name = child(target, Field::name)) {
             const std::string capitals = upper_text(*name);
-            moves_ |= capitals == "POS" || capitals == "POSA";
+            if (capitals == "POS" || capitals == "POSA") {
+                moves_ = true;
+                add_word(capitals, value, whole);
+            }
         }
         break;
     case Kind::system_variable: {
+        if (upper_text(target).starts_with("$P_PFRAME")) forget_frames(whole);
         const Expression read = expression(lower_system_variable(target));
         if (const auto* owned = std::get_if<LoadMachine>(&read.node))
             return effect({Assign{StoreMachine{owned->family, owned->number}, value}, whole});

@@ -37,13 +37,24 @@ class BlockLowering : private TreeLowering {
     void lower_statement(const Node& node);
     void mark(const Node& node, RegionKind region_kind, RegionMark::Part part,
               std::optional<ExpressionId> condition);
+    void note_first_code(std::span<const Node* const> items);
+
+    // ---- frames and synchronised actions (lower_frames.cpp)
+    void lower_frame(std::string_view name, Span here);
+    void forget_frames(Span here);
+    void watch_frames(std::span<const Node* const> items);
     void lower_action(const Node& node);
+    void check_action_target(const Node& target);
+    void watch_distance(std::span<const Node* const> items, const Block& head);
+    void check_distance(const Node& word, const Node& value);
+    void check_action_number(std::span<const Node* const> items);
 
     // ---- loops and jumps (lower_flow.cpp)
     void lower_if(const Node& node);
     void lower_for(const Node& node);
     void end_for(const Node& node);
     void lower_case(const Node& node);
+    void check_arm(const Node& arm, const Node& value);
     void lower_jump(const Node& node);
     void lower_guarded_jump(ExpressionId condition, const Node& jump, Span whole);
     void restart_on_request(const Node& node);
@@ -58,7 +69,9 @@ class BlockLowering : private TreeLowering {
     void save_modes(Span here);
     void go_back(std::optional<ExpressionId> label, Span here);
     void lower_definition(const Node& node);
-    void lower_declarator(const Node& node, VariableType type);
+    void lower_declarator(const Node& node, const Node& type);
+    void lower_external(const Node& node);
+    void define_array(const Node& name, const Node& size, std::string_view type);
     void lower_named(const Node& name, const Node* arguments, const Node& whole);
     bool report_letter_o(std::string_view capitals, Span here);
     bool report_slip(std::string_view capitals, Span here);
@@ -69,7 +82,7 @@ class BlockLowering : private TreeLowering {
     void lower_other_call(const Node& node);
     [[nodiscard]] std::vector<Argument> arguments_of(const Node* list);
     [[nodiscard]] std::vector<ExpressionId> values_of(const Node* list);
-    [[nodiscard]] VariableType type_of(const Node& type) const;
+    [[nodiscard]] std::string_view type_name(const Node& type) const;
 
     // ---- words (lower_words.cpp)
     void lower_word(const Node& node);
@@ -108,18 +121,37 @@ class BlockLowering : private TreeLowering {
     void check_logic(const Node& comparison);
     void check_number(const Node& word);
     void file_wide_colon(const Node& label);
-    void check_alone(std::span<const Node* const> items);
+    void report_parentheses(const Node& remark);
+    void report_missing_equals(const Node& word);
+    void report_colon_in_jump(const Node& label);
+    void report_quotes(Span here);
+    void check_alone(std::span<const Node* const> items, const Block& head);
     void report_expected(Span here, std::string_view expected);
+    void report_with(SyntaxErrorKind kind, Span here, std::string cure, Remedy remedy);
+
+    // ---- names, types and sizes (lower_names.cpp)
+    void check_name(const Node& name, std::size_t longest);
+    void check_taken(const Node& name);
+    void check_system_variable(const Node& node);
+    void check_program_name(const Node& name);
+    void lower_index(const Node& node, Span whole);
+    void check_index(const Node& node, std::span<const ExpressionId> indices);
+    void check_initial_values(const Node& declarator);
+    void check_text(const Node& node);
+    void check_operands(const Node& calculation);
+    void check_stored(std::string_view type, const Node& value);
+    [[nodiscard]] std::string_view type_of_value(const Node& node) const;
 
     // ---- the tree
     [[nodiscard]] const Node* child(const Node& node, Field field) const;
     [[nodiscard]] const Node* parent_of(const Node& node) const;
 
     OpenProgram* open_ = nullptr;
-    Nodes parents_;                      ///< of each node of the block
-    Nodes items_;                        ///< of the block
-    bool moves_ = false, stays_ = false; ///< words of axes; a code that takes them for something else
-    std::optional<ExpressionId> passes_; ///< P of a call
+    Nodes parents_;                        ///< of each node of the block
+    Nodes items_;                          ///< of the block
+    std::vector<std::string> case_values_; ///< of the CASE being read
+    bool moves_ = false, stays_ = false;   ///< words of axes; a code that takes them for something else
+    std::optional<ExpressionId> passes_;   ///< P of a call
 };
 
 } // namespace maclint::sinumerik

@@ -11,10 +11,14 @@
 #include "analyzer/dialect/sinumerik/plain.hpp"
 #include "analyzer/dialect/sinumerik/plausible.hpp"
 #include "analyzer/dialect/sinumerik/split.hpp"
+#include "analyzer/dialect/sinumerik/tables.hpp"
 #include "analyzer/program/plain_run.hpp"
 #include "analyzer/source/content.hpp"
 
 #include <algorithm>
+#include <iterator>
+#include <span>
+#include <vector>
 
 namespace maclint::sinumerik {
 namespace {
@@ -70,8 +74,10 @@ class Language {
     /// What is wrong in a block of another language nobody can tell here.
     void add_unreadable(const RawBlock& raw) {
         if (programs_.is_in_foreign_language())
-            std::erase_if(file_.syntax_errors,
-                          [&](const SyntaxError& error) { return error.span.begin >= raw.span.begin; });
+            forget_errors_from(raw.span.begin);
+        else
+            explain_by_line_before(raw.span.begin);
+        programs_.current().frame.reset();
         lowering_.add_unreadable(unreadable_head(raw), programs_.current());
     }
 
@@ -85,9 +91,44 @@ class Language {
     void close() { programs_.close(); }
 
   private:
+    void forget_errors_from(Offset begin) {
+        std::erase_if(file_.syntax_errors,
+                      [&](const SyntaxError& error) { return error.span.begin >= begin; });
+    }
+
+    /// The second half of a PROC that stands on two lines makes no sense by itself.
+    void explain_by_line_before(Offset begin) {
+        const auto& errors = file_.syntax_errors;
+        const auto own =
+            std::ranges::find_if(errors, [&](const SyntaxError& error) { return error.span.begin >= begin; });
+        if (own == errors.begin() || own == errors.end()) return;
+        const SyntaxError& before = *std::prev(own);
+        const std::string_view between = text_.substr(before.span.end, begin - before.span.end);
+        if (before.kind == SyntaxErrorKind::split_declaration && std::ranges::count(between, '\n') <= 1)
+            forget_errors_from(begin);
+    }
+
+    [[nodiscard]] Span first_line_of(Span run) const {
+        const auto length = text_.substr(run.begin, run.length()).find_first_of("\r\n");
+        return length == std::string_view::npos ? run
+                                                : Span{run.begin, run.begin + static_cast<Offset>(length)};
+    }
+
+    static void follow_distance(OpenProgram& program, std::span<const ModalSetting> net) {
+        const auto group = control().group_with(ModalRole::distance);
+        for (const ModalSetting& setting : net)
+            if (setting.group == group) program.incremental = setting.value != 1; // G90
+    }
+
     void close_run() {
         if (run_.empty()) return;
-        programs_.current().builder.add_run(run_.run(0), run_.net(), run_.beside_codes());
+        OpenProgram& program = programs_.current();
+        const PlainRun run = run_.run(0);
+        if (program.first_code.empty()) program.first_code = first_line_of(run.span);
+        program.frame.reset();
+        const std::vector<ModalSetting> net = run_.net();
+        follow_distance(program, net);
+        program.builder.add_run(run, net, run_.beside_codes());
         run_ = {};
     }
 

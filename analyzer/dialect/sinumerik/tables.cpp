@@ -23,15 +23,31 @@ struct GroupRole {
 constexpr GroupRole roles[] = {
     { 1, ModalRole::motion,              RestorePolicy::none},
     { 6, ModalRole::plane,               RestorePolicy::none},
-    { 7, ModalRole::cutter_compensation, RestorePolicy::none},
+    { 7, ModalRole::cutter_compensation, RestorePolicy::operation},
     { 8, ModalRole::work_offset,         RestorePolicy::none},
     {13, ModalRole::units,               RestorePolicy::none},
     {14, ModalRole::distance,            RestorePolicy::state},
     {15, ModalRole::feed_mode,           RestorePolicy::none},
 };
+
+/// Parts of the programmable frame: each is in force or not, and TRANS alone takes all of them back
+/// [SEED-004:71-135].
+struct FramePart {
+    std::string_view name;
+    ModalRole role;
+    std::string_view replaces, adds; ///< codes that write it
+};
+constexpr FramePart frame_parts[] = {
+    {"shift",         ModalRole::local_offset, "TRANS",  "ATRANS"},
+    {"rotation",      ModalRole::rotation,     "ROT",    "AROT"},
+    {"scaling",       ModalRole::scaling,      "SCALE",  "ASCALE"},
+    {"mirror image",  ModalRole::mirror_image, "MIRROR", "AMIRROR"},
+    {"space angles",  ModalRole::tilted_plane, "ROTS",   "AROTS"},
+};
 // clang-format on
 
-constexpr int non_modal_moves = 2, frames = 3; ///< G groups
+constexpr int non_modal_moves = 2, frames = 3;  ///< G groups
+constexpr std::string_view frame_off = "TRANS"; ///< alone in its block
 constexpr std::uint8_t no_row = UINT8_MAX;
 
 /// Of a group without codes nothing can be known.
@@ -66,7 +82,13 @@ std::vector<ModalGroup> modal_groups() {
         if (role != std::end(roles)) {
             group.role = role->role;
             group.restore_policy = role->restore;
-            if (role->role == ModalRole::distance) group.customary = {1}; // G90
+            if (role->role == ModalRole::distance) group.customary = {1};       // G90
+            if (role->role == ModalRole::motion) group.circles = {3, 4, 5, 15}; // G2, G3, CIP, CT
+            if (role->restore == RestorePolicy::operation) {                    // G40
+                group.cancel = 1;
+                group.customary = {1};
+                group.reset = 1; // whatever the maker of the machine has chosen for the other groups
+            }
         }
         for (const GCodeRow& code : g_codes())
             if (code.group == row.number) group.members.emplace_back(code.member, code.name);
@@ -74,8 +96,16 @@ std::vector<ModalGroup> modal_groups() {
     }
     groups.push_back({"feed", ModalRole::feed, 'F', RestorePolicy::none, {}, {}, {}, {}, "NCP19"});
     groups.push_back({"spindle speed", ModalRole::speed, 'S', RestorePolicy::none, {}, {}, {}, {}, "NCP19"});
-    groups.push_back(
-        {"modal call", ModalRole::macro_call, 0, RestorePolicy::none, {}, {}, 0, 0, "SEED-004:460-474"});
+    for (const FramePart& part : frame_parts) {
+        ModalGroup& group = groups.emplace_back();
+        group = {part.name, part.role, 'G', RestorePolicy::operation, {}, {0}, 0, 0, "SEED-004:71-135"};
+        group.members = {{0, frame_off}, {1, part.replaces}};
+        group.cancel_words = frame_off;
+    }
+    ModalGroup& call = groups.emplace_back();
+    call = {"modal call",      ModalRole::macro_call, 0, RestorePolicy::modal_call, {}, {0}, 0, 0,
+            "SEED-004:460-474"};
+    call.cancel_words = "MCALL";
     return groups;
 }
 
@@ -108,10 +138,16 @@ VariableFamily owned() {
 }
 
 /// Rules that were held against programs of the language, sorted.
-constexpr std::string_view rules_tried[] = {"MAC001", "MAC002", "MAC003", "MAC004", "MAC106", "MAC109",
-                                            "MAC117", "MAC118", "MAC121", "MAC126", "MAC129", "MAC301",
-                                            "MAC303", "MAC319", "MAC320", "MAC321", "MAC340", "MAC412",
-                                            "MAC457", "MAC472", "MAC501", "MAC702", "MAC728"};
+constexpr std::string_view rules_tried[] = {
+    "MAC001", "MAC002", "MAC003", "MAC004", "MAC106", "MAC109", "MAC117", "MAC118", "MAC119", "MAC121",
+    "MAC126", "MAC129", "MAC213", "MAC301", "MAC303", "MAC318", "MAC319", "MAC320", "MAC321", "MAC322",
+    "MAC340", "MAC411", "MAC412", "MAC413", "MAC456", "MAC457", "MAC462", "MAC472", "MAC501", "MAC502",
+    "MAC505", "MAC506", "MAC507", "MAC510", "MAC511", "MAC514", "MAC517", "MAC558", "MAC559", "MAC702",
+    "MAC703", "MAC704", "MAC728", "SIN104", "SIN105", "SIN106", "SIN107", "SIN109", "SIN110", "SIN111",
+    "SIN112", "SIN113", "SIN114", "SIN115", "SIN123", "SIN124", "SIN201", "SIN204", "SIN207", "SIN208",
+    "SIN209", "SIN213", "SIN302", "SIN303", "SIN304", "SIN305", "SIN402", "SIN404", "SIN405", "SIN407",
+    "SIN408", "SIN502", "SIN504", "SIN505", "SIN601", "SIN602",
+};
 static_assert(std::ranges::is_sorted(rules_tried));
 
 ControlModel make() {
@@ -129,7 +165,10 @@ ControlModel make() {
         {RegionKind::endless_loop, "LOOP", "ENDLOOP"}, {RegionKind::counting_loop, "FOR", "ENDFOR"},
         {RegionKind::until_loop, "REPEAT", "UNTIL"},
     };
+    control.jump_words = {{LabelSearch::forward, "GOTOF"}, {LabelSearch::backward, "GOTOB"}};
     control.rules_tried = rules_tried;
+    control.repeatable = {"G", "H", "M"}; // [T]: axes, F, S, T, D stand once
+    control.contradiction = Contradiction::forbidden;
     // How deep loops may stand in each other no public page tells [language.md 11.1].
     control.limits = {.macro_calls = 0,
                       .subprogram_calls = 15,
@@ -153,6 +192,7 @@ ControlModel make() {
         {"MCALL",                Frame::fresh, NestingLimit::subprogram, CallTrigger::after_each_motion, 1, "SEED-004:460-474"},
     };
     // clang-format on
+    control.machine_words = &machine_words();
     control.vacant_equals_zero = true;
     control.loops_left_by_jump = true;
     return checked(std::move(control));
@@ -180,6 +220,19 @@ std::optional<SettingOfCode> setting_of(std::string_view capitals) {
 GroupId modal_call_group() {
     static const auto group = static_cast<GroupId>(control().groups.size() - 1);
     return group;
+}
+
+std::optional<FrameCode> frame_code(std::string_view capitals) {
+    for (const FramePart& part : frame_parts)
+        if (capitals == part.replaces || capitals == part.adds)
+            return FrameCode{*control().group_with(part.role), capitals == part.replaces};
+    return std::nullopt;
+}
+
+std::vector<GroupId> frame_groups() {
+    std::vector<GroupId> groups;
+    for (const FramePart& part : frame_parts) groups.push_back(*control().group_with(part.role));
+    return groups;
 }
 
 const ControlModel& control() {

@@ -9,6 +9,7 @@
 #include <optional>
 #include <span>
 #include <string_view>
+#include <vector>
 
 namespace maclint::sinumerik {
 
@@ -44,21 +45,33 @@ struct SettingOfCode {
     return code == own || code == foreign;
 }
 
-/// Functions of the machine that the flow depends on: M0 and M1 wait, M2, M30 and M17 end a program [NCP19
-/// p.45].
+/// Functions of the machine that the analysis depends on: M0 and M1 wait, M2, M30 and M17 end a program
+/// [NCP19 p.45], M6 changes the tool where the machine's maker has not chosen another [SEED-004:246].
 namespace functions {
-constexpr double program_stop = 0, optional_stop = 1, end = 2, end_and_back = 30, end_of_subprogram = 17;
+constexpr double program_stop = 0, optional_stop = 1, end = 2, end_and_back = 30, end_of_subprogram = 17,
+                 tool_change = 6;
 } // namespace functions
 [[nodiscard]] constexpr bool acts_on_flow(double number) {
     return number == functions::program_stop || number == functions::optional_stop ||
            number == functions::end || number == functions::end_and_back ||
-           number == functions::end_of_subprogram;
+           number == functions::end_of_subprogram || number == functions::tool_change;
 }
 
 /// The row of ControlModel::groups for a G group of the language; nothing where it is not modal.
 [[nodiscard]] std::optional<GroupId> row_of_g_group(int group);
+/// A code that writes a part of the programmable frame: "ATRANS".
+struct FrameCode {
+    GroupId group;
+    bool replaces; ///< and takes back all other parts; alone in its block, its own, too
+};
+[[nodiscard]] std::optional<FrameCode> frame_code(std::string_view capitals);
+/// The groups of all parts of the programmable frame, each 0 or 1.
+[[nodiscard]] std::vector<GroupId> frame_groups();
 /// "MCALL", on and off.
 [[nodiscard]] GroupId modal_call_group();
+
+/// Which words move the axes.
+[[nodiscard]] const MachineWords& machine_words();
 
 /// The one control so far: "sinumerik".
 [[nodiscard]] const ControlModel& control();

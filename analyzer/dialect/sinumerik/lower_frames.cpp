@@ -1,0 +1,137 @@
+//! Lowering of frames and of synchronised actions.
+#include "analyzer/dialect/ascii.hpp"
+#include "analyzer/dialect/numbers.hpp"
+#include "analyzer/dialect/sinumerik/lowering.hpp"
+#include "analyzer/dialect/sinumerik/tables.hpp"
+
+#include <algorithm>
+#include <array>
+#include <iterator>
+#include <utility>
+
+namespace maclint::sinumerik {
+namespace {
+
+/// Positions: where a block ends, and where the axis stands [SV].
+bool is_position(std::string_view name) {
+    constexpr std::string_view positions[] = {"$P_EP", "$AA_IM", "$AA_IW", "$AA_IB"};
+    return std::ranges::find(positions, name) != std::end(positions);
+}
+
+constexpr double least_id = 1, last_id = 255; ///< of synchronised actions [PGA p.343]
+
+} // namespace
+
+// ---- frames
+
+/// TRANS writes the shift and takes back all other parts of the frame; alone in its block it takes back all.
+/// ATRANS adds to what is there [SEED-004:71-135].
+void BlockLowering::lower_frame(std::string_view name, Span here) {
+    const std::optional<FrameCode> code = frame_code(name);
+    if (!code) return;
+    const bool alone =
+        std::ranges::count_if(items_, [](const Node* item) { return !is_head(kind_of(*item)); }) == 1;
+    if (code->replaces)
+        for (const GroupId group : frame_groups())
+            if (alone || group != code->group) effect({SetModal{group, literal(0, here)}, here});
+    if (!alone) effect({SetModal{code->group, literal(1, here)}, here});
+}
+
+/// The frame is calculated: `$P_PFRAME=CTRANS(X,10)`.
+void BlockLowering::forget_frames(Span here) {
+    for (const GroupId group : frame_groups()) effect({SetModal{group, changing("", here)}, here});
+}
+
+/// `TRANS X10` and `ROT RPL=45` behind it: the shift is gone before anything has moved with it.
+void BlockLowering::watch_frames(std::span<const Node* const> items) {
+    const std::optional<NamedPlace> before = std::exchange(open_->frame, std::nullopt);
+    if (items.size() < 2 || kind_of(*items.front()) != Kind::command) return;
+    const std::optional<FrameCode> code = frame_code(upper_text(*items.front()));
+    if (!code) return;
+    const Span here{span(*items.front()).begin, span(*items.back()).end};
+    open_->frame = NamedPlace{upper_text(*items.front()), here};
+    if (!code->replaces || !before) return;
+    SyntaxError error{SyntaxErrorKind::frame_lost, before->span, std::string(program_->slice(before->span)),
+                      std::string(program_->slice(here))};
+    syntax_errors_.push_back(std::move(error));
+}
+
+// ---- distances
+
+/// Where a jump may come in, or something else runs in between, nobody knows the distance mode.
+void BlockLowering::watch_distance(std::span<const Node* const> items, const Block& head) {
+    const auto leads_elsewhere = [](const Node* item) {
+        const Kind kind = kind_of(*item);
+        return kind != Kind::literal_word && kind != Kind::assignment && kind != Kind::command;
+    };
+    if (head.name || std::ranges::any_of(items, leads_elsewhere)) open_->incremental = false;
+    for (const Node* item : items) {
+        if (kind_of(*item) != Kind::literal_word) continue;
+        const std::string word = in_capitals(without_blanks(text(*item)));
+        if (word == "G91") open_->incremental = true;
+        if (word == "G90") open_->incremental = false;
+    }
+}
+
+/// A position that was read is no distance: `G91 G1 X=$P_EP[X]`, `X=IC($P_EP[X])`.
+void BlockLowering::check_distance(const Node& word, const Node& value) {
+    const Node* read = &value;
+    bool distance = open_->incremental;
+    if (kind_of(value) == Kind::function_call) {
+        const Node* function = child(value, Field::function);
+        const Node* list = child(value, Field::arguments);
+        if (function == nullptr || list == nullptr) return;
+        distance = upper_text(*function) == "IC";
+        read = only_child(*list);
+    }
+    if (!distance || read == nullptr || kind_of(*read) != Kind::system_variable) return;
+    const Node* name = child(*read, Field::name);
+    if (name == nullptr || !is_position(upper_text(*name))) return;
+    report(SyntaxErrorKind::position_as_distance, span(word), std::string(text(*read)));
+}
+
+// ---- synchronised actions
+
+/// Runs beside the program from here on, or with the next block: what it stores may change at any time. R
+/// parameters are written `$R[1]` there, and are taken in here; all else that it stores in is the control's.
+void BlockLowering::lower_action(const Node& node) {
+    for_each_child(node, [this](const Node& part) {
+        if (field_of(part) != Field::action && field_of(part) != Field::alternative) return;
+        const Node* target = child(part, Field::left);
+        if (target == nullptr) return;
+        check_action_target(*target);
+        if (const auto variable = variable_of(*target)) {
+            const std::array in{*variable};
+            builder_->add_exchange({}, in, span(part));
+        }
+    });
+}
+
+/// An action runs in time, R parameters and variables of the program are calculated ahead of it [PGA p.344].
+void BlockLowering::check_action_target(const Node& target) {
+    const std::string name = without_blanks(text(target));
+    if (kind_of(target) == Kind::numbered_address && name.front() == 'R')
+        return report(SyntaxErrorKind::action_on_local, span(target), "$R[" + name.substr(1) + "]");
+    const Node* address = child(target, Field::address);
+    if (kind_of(target) == Kind::indexed_address && address != nullptr && upper_text(*address) == "R")
+        return report(SyntaxErrorKind::action_on_local, span(target), "$" + name);
+    const Variable* variable = kind_of(target) == Kind::name ? variable_named(name) : nullptr;
+    if (variable != nullptr) report(SyntaxErrorKind::action_on_local, span(target), "$AC_PARAM[1]");
+}
+
+/// `ID=1` in front of an action.
+void BlockLowering::check_action_number(std::span<const Node* const> items) {
+    const bool acts = std::ranges::any_of(
+        items, [](const Node* item) { return kind_of(*item) == Kind::synchronised_action; });
+    if (!acts || kind_of(*items.front()) != Kind::assignment) return;
+    const Node* name = child(*items.front(), Field::left);
+    const Node* value = child(*items.front(), Field::right);
+    if (name == nullptr || value == nullptr || kind_of(*value) != Kind::number) return;
+    const std::string word = upper_text(*name);
+    const Number number = read_number(text(*value));
+    const bool is_id = word == "ID" || word == "IDS";
+    if (is_id && (number.value < least_id || number.value > last_id))
+        report(SyntaxErrorKind::action_number, span(*items.front()), "1 to 255");
+}
+
+} // namespace maclint::sinumerik

@@ -1,0 +1,192 @@
+//! Names, types and sizes, held against the tables and against what the program defines.
+#include "analyzer/dialect/ascii.hpp"
+#include "analyzer/dialect/sinumerik/g_codes.hpp"
+#include "analyzer/dialect/sinumerik/limits.hpp"
+#include "analyzer/dialect/sinumerik/lowering.hpp"
+#include "analyzer/dialect/sinumerik/system_variables.hpp"
+#include "analyzer/dialect/sinumerik/words.hpp"
+
+#include <algorithm>
+#include <iterator>
+
+namespace maclint::sinumerik {
+namespace {
+
+constexpr std::string_view text_type = "STRING";
+
+bool is_number_type(std::string_view type) { return type == "REAL" || type == "INT" || type == "BOOL"; }
+
+/// Characters of a text in UTF-8.
+std::size_t characters_in(std::string_view text) {
+    constexpr unsigned char mask = 0xC0, follows = 0x80;
+    return static_cast<std::size_t>(std::ranges::count_if(
+        text, [](char c) { return (static_cast<unsigned char>(c) & mask) != follows; }));
+}
+
+/// What a name is already; empty: nothing. Those of cycles and of parts of a frame may be used again, as
+/// programs show.
+std::string_view meaning_of(std::string_view capitals) {
+    if (find_g_code(capitals) != nullptr) return "a G code";
+    const WordRow* row = find_word(capitals);
+    if (row == nullptr) return {};
+    switch (row->kind) {
+    case WordKind::keyword: return "a keyword";
+    case WordKind::procedure:
+    case WordKind::command: return "a command";
+    case WordKind::function: return "a function";
+    case WordKind::address: return "an address";
+    case WordKind::constant: return "a constant";
+    case WordKind::cycle:
+    case WordKind::attribute:
+    case WordKind::part: break;
+    }
+    return {};
+}
+
+std::string count_of(std::size_t number, std::string_view one, std::string_view many) {
+    return std::to_string(number) + " " + std::string(number == 1 ? one : many);
+}
+
+} // namespace
+
+/// Of a variable, a parameter or a program.
+void BlockLowering::check_name(const Node& name, std::size_t longest) {
+    const std::size_t length = text(name).size();
+    if (kind_of(name) == Kind::axis_name || kind_of(name) == Kind::malformed_name)
+        report(SyntaxErrorKind::malformed_name, span(name), "its first two characters are not letters or _");
+    else if (length > longest)
+        report(SyntaxErrorKind::malformed_name, span(name),
+               "it has " + std::to_string(length) + " characters, and " + std::to_string(longest) +
+                   " are the most");
+}
+
+/// A name stands for one thing alone [NCP19 p.45].
+void BlockLowering::check_taken(const Node& name) {
+    if (kind_of(name) != Kind::name) return;
+    const std::string capitals = upper_text(name);
+    if (const std::string_view meaning = meaning_of(capitals); !meaning.empty())
+        return report(SyntaxErrorKind::taken_name, span(name), std::string(meaning));
+    const bool defined = variable_named(capitals) != nullptr || open_->arrays.contains(capitals);
+    if (defined || open_->macros.contains(capitals))
+        report(SyntaxErrorKind::taken_name, span(name), defined ? "a variable" : "a macro");
+}
+
+/// A program's name is that of its file [NCP23 p.490].
+void BlockLowering::check_program_name(const Node& name) {
+    check_name(name, limits::program_name);
+    if (!open_->has_file_name) return;
+    std::string capitals = upper_text(name);
+    if (capitals.starts_with("_N_")) capitals.erase(0, 3);
+    if (capitals.ends_with("_SPF") || capitals.ends_with("_MPF")) capitals.resize(capitals.size() - 4);
+    if (capitals != in_capitals(program_->name))
+        report(SyntaxErrorKind::other_program_name, span(name), program_->name);
+}
+
+void BlockLowering::check_system_variable(const Node& node) {
+    const Node* name = child(node, Field::name);
+    if (name == nullptr) return;
+    std::string capitals = upper_text(*name);
+    if (capitals.starts_with("$$")) capitals.erase(0, 1);
+    // R parameters in synchronised actions have no row [PGA p.344].
+    if (capitals == "$R" || capitals == "$RG" || is_control_data(capitals) || find_system_variable(capitals))
+        return;
+    report(SyntaxErrorKind::unknown_system_variable, span(*name), "");
+}
+
+void BlockLowering::lower_index(const Node& node, Span whole) {
+    const Node* list = child(node, Field::index);
+    const std::vector<ExpressionId> indices = values_of(list);
+    check_index(node, indices);
+    if (list != nullptr) evaluate(apply(Operation::unknown, indices, span(*list)), whole);
+}
+
+/// How many indices an array takes, and how far they go. A text takes one more, for a character of it, and
+/// a frame has parts.
+void BlockLowering::check_index(const Node& node, std::span<const ExpressionId> indices) {
+    const Node* name = child(node, Field::name);
+    if (name == nullptr) return;
+    const std::string capitals = upper_text(*name);
+    const auto array = open_->arrays.find(capitals);
+    if (array == open_->arrays.end()) {
+        const Variable* variable = variable_named(capitals);
+        const Declaration* declared = variable == nullptr ? nullptr : program_->declaration_of(*variable);
+        if (declared != nullptr && is_number_type(declared->type_name))
+            report(SyntaxErrorKind::wrong_dimensions, span(node), "no index");
+        return;
+    }
+    const auto& sizes = array->second.sizes;
+    const bool one_more = !is_number_type(array->second.type);
+    if (indices.size() != sizes.size() && !(one_more && indices.size() >= sizes.size()))
+        return report(SyntaxErrorKind::wrong_dimensions, span(node),
+                      count_of(sizes.size(), "index", "indices"));
+    for (std::size_t i = 0; i < sizes.size(); ++i)
+        if (sizes[i]) builder_->add_array_index({indices[i], *sizes[i], span(node), array->second.declared});
+}
+
+/// `DEF INT ROW[3]=SET(1,2,3,4)`
+void BlockLowering::check_initial_values(const Node& declarator) {
+    const Node* size = child(declarator, Field::size);
+    const Node* value = child(declarator, Field::value);
+    if (size == nullptr || value == nullptr) return;
+    const Node* list = kind_of(*value) == Kind::value_list ? value : nullptr;
+    if (kind_of(*value) == Kind::function_call)
+        if (const Node* function = child(*value, Field::function);
+            function != nullptr && upper_text(*function) == "SET")
+            list = child(*value, Field::arguments);
+    if (list == nullptr) return;
+    double places = 1;
+    for_each_child(*size,
+                   [&](const Node& part) { places *= literal_value(lower_expression(part)).value_or(0); });
+    std::size_t values = 1; // gaps count, too
+    for_each_below(*list, [&](const Node& part) { values += !part.named && text(part) == "," ? 1U : 0U; });
+    if (places > 0 && static_cast<double>(values) > places)
+        report(SyntaxErrorKind::too_many_initial_values, span(*value),
+               std::to_string(static_cast<std::int64_t>(places)));
+}
+
+void BlockLowering::check_text(const Node& node) {
+    constexpr std::size_t quotes = 2;
+    const std::size_t length = characters_in(text(node)) - quotes;
+    if (length > limits::text)
+        report(SyntaxErrorKind::text_too_long, span(node), std::to_string(limits::text));
+}
+
+// ---- types
+
+/// "STRING" or a type of numbers; empty: not known, or another one.
+std::string_view BlockLowering::type_of_value(const Node& node) const {
+    switch (kind_of(node)) {
+    case Kind::string:
+    case Kind::concatenation: return text_type;
+    case Kind::number: return "REAL";
+    case Kind::name: {
+        const Variable* variable = variable_named(upper_text(node));
+        const Declaration* declared = variable == nullptr ? nullptr : program_->declaration_of(*variable);
+        return declared == nullptr ? std::string_view{} : declared->type_name;
+    }
+    default: return {};
+    }
+}
+
+/// Texts are joined by `<<` and compared with each other, and nothing else [NCP19 p.444].
+void BlockLowering::check_operands(const Node& calculation) {
+    const Node* left = child(calculation, Field::left);
+    const Node* right = child(calculation, Field::right);
+    if (left == nullptr || right == nullptr) return;
+    const bool texts[] = {type_of_value(*left) == text_type, type_of_value(*right) == text_type};
+    const bool numbers[] = {is_number_type(type_of_value(*left)), is_number_type(type_of_value(*right))};
+    const bool compares = kind_of(calculation) == Kind::comparison;
+    if (compares ? (texts[0] && numbers[1]) || (numbers[0] && texts[1]) : texts[0] || texts[1])
+        report(SyntaxErrorKind::text_in_calculation, span(calculation), "");
+}
+
+/// A CHAR takes a text of one character.
+void BlockLowering::check_stored(std::string_view type, const Node& value) {
+    const std::string_view given = type_of_value(value);
+    if (is_number_type(type) && given == text_type)
+        report(SyntaxErrorKind::text_for_number, span(value), std::string(type));
+    if (type == text_type && is_number_type(given))
+        report(SyntaxErrorKind::number_for_text, span(value), std::string(type));
+}
+
+} // namespace maclint::sinumerik

@@ -1,0 +1,24 @@
+//! What calls give to parameters by their place.
+#pragma once
+
+#include "analyzer/workspace/program_analysis.hpp"
+
+#include <cstddef>
+#include <functional>
+#include <string_view>
+
+namespace maclint::queries {
+
+/// The argument at that place, from 0 on; nullptr where the call leaves it out.
+[[nodiscard]] const Argument* argument_at(const Program& program, const Call& call, std::size_t place);
+
+/// The type of what the argument gives, as the text spells it: that of a variable, or what a text or number
+/// is. Empty where nobody knows.
+[[nodiscard]] std::string_view type_given(const Program& program, const Argument& argument);
+
+/// Each call by name of a program that is known, with that program.
+void for_each_known_call(
+    const ProgramAnalysis& analysis,
+    const std::function<void(const CallSite& site, const Call& call, const ProgramAnalysis& called)>& visit);
+
+} // namespace maclint::queries

@@ -1,0 +1,17 @@
+//! The page of a code in a language without chapters of codes: what its modal group says of it.
+#pragma once
+
+#include "analyzer/program/tables.hpp"
+#include "cli/report/plain_page.hpp"
+
+#include <string>
+#include <string_view>
+
+namespace maclint::cli {
+
+/// For a code as the control spells it, any case: "G41", "DIAMON"; empty where no group of it has the code,
+/// or where chapters say more.
+[[nodiscard]] std::string plain_group_page(const ControlModel& control, std::string_view code,
+                                           const PageStyle& style);
+
+} // namespace maclint::cli

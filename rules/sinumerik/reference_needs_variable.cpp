@@ -1,0 +1,74 @@
+//! SIN404: a variable of another type for a parameter that gives a value back.
+#include "analyzer/queries/calls/given_arguments.hpp"
+#include "rules/path.hpp"
+#include "rules/rule.hpp"
+
+#include <string>
+
+namespace maclint::rules {
+
+namespace {
+void check(const ProgramAnalysis& analysis, Reporter& reporter);
+}
+
+extern const Rule reference_needs_variable{
+    .code = "SIN404",
+    .name = "reference-needs-variable",
+    .summary = "A parameter that gives a value back gets a variable of another type",
+    .why =
+        "The program works in the variable of its caller, which must have exactly the type of the parameter: "
+        "the control stops with an alarm at the call.",
+    .severity = Severity::error,
+    .precision = Precision::high,
+    .needs = {Capability::paired_words},
+    .messages = {{"type",
+                  "Variable of another type: '{0}' is {1}, and parameter {2} ({3}) of {4} is VAR {5}.",
+                  "Define '{0}' as {5}, or pass another variable."}},
+    .bad = {{"sinumerik", R"nc(
+%_N_MAIN_MPF
+DEF REAL HOLES
+COUNT_UP(HOLES)
+M30
+%_N_COUNT_UP_SPF
+PROC COUNT_UP(VAR INT TOTAL)
+TOTAL=TOTAL+1
+M17
+)nc"}},
+    .good = {{"sinumerik", R"nc(
+%_N_MAIN_MPF
+DEF INT HOLES
+COUNT_UP(HOLES)
+M30
+%_N_COUNT_UP_SPF
+PROC COUNT_UP(VAR INT TOTAL)
+TOTAL=TOTAL+1
+M17
+)nc"}},
+    .sources = {"NCP19 p.494", "JP10 p.23"},
+    .check = &check,
+};
+
+namespace {
+
+void check(const ProgramAnalysis& analysis, Reporter& reporter) {
+    const Program& program = analysis.program();
+    queries::for_each_known_call(analysis, [&](const CallSite& site, const Call& call, const auto& called) {
+        const auto& formals = called.program().formals;
+        for (std::size_t i = 0; i < formals.size(); ++i) {
+            const Formal& formal = formals[i];
+            const Argument* argument = queries::argument_at(program, call, i);
+            if (argument == nullptr || formal.passing != Passing::by_reference || formal.is_array) continue;
+            if (!std::holds_alternative<Load>(program.expressions[argument->value].node)) continue;
+            const std::string_view given = queries::type_given(program, *argument);
+            if (given.empty() || given == formal.type) continue;
+            reporter
+                .report({analysis, site.effect}, argument->span, "type",
+                        {quoted(program, argument->span), std::string(given), std::to_string(i + 1),
+                         formal.name, called.program().name, std::string(formal.type)})
+                .related.push_back({called.source(), formal.span, "the parameter is defined here"});
+        }
+    });
+}
+
+} // namespace
+} // namespace maclint::rules

@@ -1,0 +1,32 @@
+//! SIN107: remarks of other languages.
+#include "rules/rule.hpp"
+
+namespace maclint::rules {
+
+extern const Rule remark_in_parentheses{
+    .code = "SIN107",
+    .name = "remark-in-parentheses",
+    .summary = "A remark stands in ( ), as other languages have it",
+    .why = "Remarks begin with ; here. ( ) hold arguments and calculations: the control cannot read "
+           "the block, and stops with an alarm.",
+    .severity = Severity::error,
+    .precision = Precision::very_high,
+    .needs = {Capability::paired_words},
+    .messages = {{"cure", "Remark in parentheses: '{0}', which the control takes for code.", "Write '{1}'."},
+                 {"plain", "Remark in parentheses: '{0}', which the control takes for code.",
+                  "Write it behind ; at the end of the block."}},
+    .bad = {{"sinumerik", R"nc(
+G17 G90 G54 (FIRST SIDE)
+G0 X0 Y0
+M30
+)nc"}},
+    .good = {{"sinumerik", R"nc(
+G17 G90 G54 ; (FIRST SIDE)
+G0 X0 Y0
+M30
+)nc"}},
+    .sources = {"SEED-004:20-23", "NCP19 p.52"},
+    .check = SyntaxErrorKind::foreign_remark,
+};
+
+} // namespace maclint::rules

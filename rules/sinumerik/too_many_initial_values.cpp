@@ -1,0 +1,28 @@
+//! SIN213: more values than an array has places.
+#include "rules/rule.hpp"
+
+namespace maclint::rules {
+
+extern const Rule too_many_initial_values{
+    .code = "SIN213",
+    .name = "too-many-initial-values",
+    .summary = "A definition gives an array more values than it has places",
+    .why = "The control stops with an alarm at the definition.",
+    .severity = Severity::error,
+    .precision = Precision::high,
+    .needs = {Capability::paired_words},
+    .messages = {{"cure", "Too many values: '{0}' gives more than the {1} that the array has.",
+                  "Remove those that are too many, or make the array larger."}},
+    .bad = {{"sinumerik", R"nc(
+DEF INT ROW[3]=SET(1,2,3,4)
+M30
+)nc"}},
+    .good = {{"sinumerik", R"nc(
+DEF INT ROW[4]=SET(1,2,3,4)
+M30
+)nc"}},
+    .sources = {"HLS", "NCP19 p.404"},
+    .check = SyntaxErrorKind::too_many_initial_values,
+};
+
+} // namespace maclint::rules
