@@ -1,4 +1,5 @@
-"""Each fix that a rule offers for a bad example of its page, applied by --fix: the finding goes, and nothing comes in its place."""
+"""Each fix that a rule offers for a bad example of its page or a defect of corpus/, applied by --fix: the finding goes, and
+nothing comes in its place."""
 import collections
 import json
 import os
@@ -20,6 +21,12 @@ def examples():
     for page in PAGES:
         for language, text in BAD.findall(page.read_text(encoding="utf-8")):
             yield page.stem, language, text
+
+
+def defects():
+    """Language and text of each program of the corpus with a defect."""
+    for file in sorted(path for path in (ROOT / "corpus").glob("*/defects/*") if path.is_file()):
+        yield file.parts[-3], file.read_bytes().decode("latin-1")
 
 
 def maclint(*arguments):
@@ -106,6 +113,19 @@ class FixesTest(unittest.TestCase):
                         (folder / "ends.nc").write_text(text.rstrip("\n") + end, encoding="utf-8")
                         maclint("--dialect", language, "--select", code, "--fix", "--unsafe-fixes", folder / "ends.nc")
                         self.assertEqual(applied, (folder / "ends.nc").read_text(encoding="utf-8"))
+
+    def test_mends_the_defects_of_the_corpus_and_brings_nothing(self):
+        found = []
+        places = 0
+        with tempfile.TemporaryDirectory() as held:
+            file = pathlib.Path(held) / "all.nc"
+            for language, text in defects():
+                file.write_text(text, encoding="utf-8")
+                for code in sorted({finding["code"] for finding in findings(file, language) if finding["fix"]}):
+                    places += 1
+                    found += self.problems(code, language, text, pathlib.Path(held))
+        self.assertEqual(found, [])
+        self.assertGreater(places, 10)
 
     def test_mends_what_is_found_and_brings_nothing(self):
         fixing = set()
