@@ -1,4 +1,5 @@
 //! `./dev bench`: speed beside the parser alone, peak memory, and growth from n to 2n.
+#include "bench/editing.hpp"
 #include "bench/generate.hpp"
 #include "bench/pipeline.hpp"
 
@@ -120,6 +121,8 @@ int main(int argc, char** argv) {
     const auto noise = [](std::size_t bytes) { return make::line_noise(bytes, 1); };
     print_growth("line noise (bytes)", megabyte / 2, noise);
     print_growth("line noise, DIN PLUS (bytes)", megabyte / 2, noise, "dinplus");
+    std::printf("\nFrom an edit to the findings\n");
+    maclint::bench::print_editing();
     std::printf("\nSpeed, beside the parser alone on the same text in one piece\n");
     std::fflush(stdout);
     register_speed("cam/one_file", {make::cam_output(10 * megabyte)});

@@ -3,6 +3,8 @@
 
 #include "analyzer/dialect/maker_rights.hpp"
 #include "analyzer/program/model.hpp"
+#include "analyzer/source/platform/files.hpp"
+#include "analyzer/source/platform/paths.hpp"
 #include "analyzer/workspace/groups.hpp"
 #include "analyzer/workspace/parallel.hpp"
 #include "analyzer/workspace/program_analysis.hpp"
@@ -34,27 +36,22 @@ constexpr std::size_t long_text = 256UL * 1024;
 /// So many bytes of shorter texts are read once, too: with their programs they take ten times as much.
 constexpr std::size_t short_texts = 16UL * 1024 * 1024;
 
-/// A file after the first look at it.
-struct SeenFile {
-    ReadFile read; ///< `file` only where it was read whole and kept
-    FileOutline outline;
-    std::string control; ///< that it was checked for
-};
-
 using Group = std::vector<std::size_t>; ///< places in the snapshot
 
 /// The work on one snapshot.
 class Run {
   public:
     Run(const Snapshot& snapshot, const EngineOptions& options, Progress& progress, ProgramStore& store,
-        const std::stop_token& stop)
+        OutlineStore& outlines, const std::stop_token& stop)
         : snapshot_(snapshot)
         , options_(options)
         , progress_(progress)
         , store_(store)
+        , outlines_(outlines)
         , stop_(stop)
         , rows_(snapshot)
-        , seen_(snapshot.files.size()) {}
+        , seen_(snapshot.files.size())
+        , controls_(snapshot.files.size()) {}
 
     Result run() {
         progress_.begin("reading", seen_.size());
@@ -76,6 +73,9 @@ class Run {
         return std::move(result_);
     }
 
+    /// At files of which nothing was known.
+    [[nodiscard]] std::size_t looks() const { return looks_; }
+
   private:
     template<class Work>
     void for_each(std::size_t count, unsigned jobs, const Work& work) const {
@@ -88,7 +88,20 @@ class Run {
     void look_at(std::size_t place) {
         const Stopwatches::Running running(watches_.reading);
         const SnapshotFile& file = snapshot_.files[place];
+        if (options_.kept_bytes == 0 || file.input.asked || file.text) return look_anew_at(place);
+        const auto stamp = platform::settled_stamp_of(platform::path_of(file.input.path));
+        if (auto kept = outlines_.find(file, stamp)) {
+            seen_[place] = *std::move(kept);
+            return;
+        }
+        look_anew_at(place);
+        outlines_.keep(file, stamp, seen_[place]);
+    }
+
+    void look_anew_at(std::size_t place) {
+        const SnapshotFile& file = snapshot_.files[place];
         SeenFile& seen = seen_[place];
+        ++looks_;
         auto opened = open_file(file);
         if (auto* notice = std::get_if<Notice>(&opened)) {
             seen.read.notice = std::move(*notice);
@@ -166,7 +179,7 @@ class Run {
             ReadFile& read = seen_[i].read;
             if (read.notice) result_.notices.push_back(*std::move(read.notice));
             if (read.dialect == nullptr) continue;
-            result_.read_as.push_back({std::string(read.dialect->name), std::move(seen_[i].control)});
+            result_.read_as.push_back({std::string(read.dialect->name), std::move(controls_[i])});
             result_.sources.push_back(std::move(read.source));
         }
     }
@@ -186,7 +199,7 @@ class Run {
             const SnapshotFile& file = snapshot_.files[i];
             const auto programs = held.emplace_back(programs_of(i));
             if (programs == nullptr) continue;
-            seen_[i].control = programs->control->name;
+            controls_[i] = programs->control->name;
             if (file.input.asked) rules.push_back({programs.get(), file.settings.rules.get()});
             if (file.input.asked && file.settings.dialect == nullptr) // whoever names it wants to see all
                 std::ranges::move(other_control(*programs, *seen_[i].read.dialect),
@@ -308,9 +321,12 @@ class Run {
     const EngineOptions& options_;
     Progress& progress_;
     ProgramStore& store_;
+    OutlineStore& outlines_;
     const std::stop_token& stop_;
     RowChoice rows_;
     std::vector<SeenFile> seen_;           ///< by place in the snapshot
+    std::vector<std::string> controls_;    ///< that files were checked for, as above
+    std::atomic<std::size_t> looks_ = 0;   ///< at files of which nothing was known
     std::atomic<std::size_t> at_once_ = 0; ///< bytes of texts that were asked for
     ComputedCalls computed_calls_;
     SameNumbers same_numbers_;
@@ -323,8 +339,12 @@ class Run {
 } // namespace
 
 Result Engine::analyse(const Snapshot& snapshot, const std::stop_token& stop) {
-    Result result = Run(snapshot, options_, progress_, store_, stop).run();
+    Run run(snapshot, options_, progress_, store_, outlines_, stop);
+    Result result = run.run();
+    looks_ += run.looks();
+    if (result.cancelled) return result; // what was not asked for yet may be in the next snapshot
     store_.drop_unused();
+    outlines_.drop_unused();
     return result;
 }
 

@@ -1,6 +1,7 @@
 //! From files to judged findings: what the command, the tests and an editor ask for.
 #pragma once
 
+#include "cli/engine/outline_store.hpp"
 #include "cli/engine/program_store.hpp"
 #include "cli/engine/read_as.hpp"
 #include "cli/engine/snapshot.hpp"
@@ -35,7 +36,8 @@ struct Result {
 
 struct EngineOptions {
     unsigned jobs = 1;          ///< threads, at least 1
-    std::size_t kept_bytes = 0; ///< of text, whose programs are kept for the next snapshot
+    std::size_t kept_bytes = 0; ///< of text, whose programs are kept for the next snapshot; with any, what a
+                                ///< look at the others has shown is kept, too
     ExemptionChoice exemptions = {};
 };
 
@@ -50,11 +52,15 @@ class Engine {
 
     [[nodiscard]] Result analyse(const Snapshot& snapshot, const std::stop_token& stop = {});
     [[nodiscard]] const ProgramStore& store() const { return store_; }
+    /// How many files were looked at, because what they show was not known.
+    [[nodiscard]] std::size_t looks() const { return looks_; }
 
   private:
     EngineOptions options_;
     Progress& progress_;
     ProgramStore store_;
+    OutlineStore outlines_;
+    std::size_t looks_ = 0;
 };
 
 } // namespace maclint::cli

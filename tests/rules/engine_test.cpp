@@ -2,6 +2,7 @@
 #include "cli/engine/engine.hpp"
 #include "tests/support/folder.hpp"
 
+#include <chrono>
 #include <filesystem>
 #include <initializer_list>
 #include <map>
@@ -39,6 +40,13 @@ class EngineTest : public testing::Test {
                           std::to_string(finding.source->position(finding.span.begin).line) + " " +
                           std::string(finding.rule->code));
         return all;
+    }
+
+    /// Long enough ago for its time to tell it from what is written now.
+    void write_an_hour_ago(const std::string& name, std::string_view text) const {
+        const std::filesystem::path path = folder.write(name, text);
+        std::filesystem::last_write_time(path, std::filesystem::file_time_type::clock::now() -
+                                                   std::chrono::hours(1));
     }
 
     TemporaryFolder folder;
@@ -104,6 +112,35 @@ TEST_F(EngineTest, LetsGoWhatTheLastSnapshotDidNotAskFor) {
     for (const char* asked : {"O1.nc", "O4.nc", "O1.nc"})
         static_cast<void>(engine.analyse(snapshot({asked})));
     EXPECT_EQ(engine.store().reads(), 3U);
+}
+
+TEST_F(EngineTest, TakesNoSecondLookAtFilesThatStayAsTheyAre) {
+    folder.write("O1.nc", jumps_nowhere);
+    write_an_hour_ago("O2.nc", "O2\nM99\n");
+    const auto first = places(engine.analyse(snapshot({"O1.nc"})));
+    EXPECT_EQ(engine.looks(), 2U);
+    EXPECT_EQ(places(engine.analyse(snapshot({"O1.nc"}))), first);
+    EXPECT_EQ(engine.looks(), 3U); // what was asked for is always read
+    write_an_hour_ago("O2.nc", "O2\nG65P1\nM99\n");
+    static_cast<void>(engine.analyse(snapshot({"O1.nc"})));
+    EXPECT_EQ(engine.looks(), 5U);
+}
+
+TEST_F(EngineTest, LooksAgainAtAFileThatMayHaveBeenWrittenInTheSameSecond) {
+    folder.write("O1.nc", jumps_nowhere);
+    folder.write("O2.nc", "O2\nM99\n");
+    for (int round = 0; round < 2; ++round) static_cast<void>(engine.analyse(snapshot({"O1.nc"})));
+    EXPECT_EQ(engine.looks(), 4U);
+}
+
+TEST_F(EngineTest, LooksAgainUnderAnotherConfiguration) {
+    folder.write("O1.nc", jumps_nowhere);
+    write_an_hour_ago("O2.nc", "O2\nM99\n");
+    static_cast<void>(engine.analyse(snapshot({"O1.nc"})));
+    folder.write(".maclint.json", R"({"complete": false})");
+    settings = cli::Settings({});
+    static_cast<void>(engine.analyse(snapshot({"O1.nc"})));
+    EXPECT_EQ(engine.looks(), 4U);
 }
 
 TEST_F(EngineTest, EachFolderIsCompleteOrNotForItself) {

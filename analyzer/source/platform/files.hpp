@@ -55,6 +55,19 @@ struct Ownership {
 /// Bytes of a file, 0 when it cannot be looked at.
 [[nodiscard]] std::uintmax_t size_of(const std::filesystem::path& path);
 
+/// What a file's content does not change without.
+struct FileStamp {
+    std::uint64_t size;     ///< bytes
+    std::uint64_t identity; ///< of the file among those of its volume
+    std::int64_t written;   ///< when its content was; in steps of the system
+    std::int64_t changed;   ///< when anything of it was, where the system tells
+    friend bool operator==(const FileStamp&, const FileStamp&) = default;
+};
+
+/// All links followed. Nothing where the file cannot be looked at, or was written in the last two seconds: as
+/// coarse are the clocks of some volumes, which give one stamp to two contents then.
+[[nodiscard]] std::optional<FileStamp> settled_stamp_of(const std::filesystem::path& path);
+
 struct FolderEntry {
     std::filesystem::path path; ///< that of the folder with the entry's name
     FileKind kind;              ///< a link is not followed

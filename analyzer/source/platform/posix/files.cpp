@@ -2,6 +2,7 @@
 #include "analyzer/source/platform/files.hpp"
 
 #include <cstdlib>
+#include <ctime>
 #include <utility>
 
 #include <sys/stat.h>
@@ -70,6 +71,19 @@ fs::path real_path(const fs::path& path, std::error_code& error) { return fs::ca
 std::optional<fs::path> home_folder() {
     const char* const home = std::getenv("HOME"); // NOLINT(concurrency-mt-unsafe): nobody sets it
     return home == nullptr || *home == '\0' ? std::nullopt : std::optional<fs::path>(home);
+}
+
+std::optional<FileStamp> settled_stamp_of(const fs::path& path) {
+    struct stat status {};
+    timespec now{};
+    if (stat(path.c_str(), &status) != 0 || clock_gettime(CLOCK_REALTIME, &now) != 0) return std::nullopt;
+    constexpr time_t clock_step = 2; // seconds
+    if (now.tv_sec - status.st_mtim.tv_sec <= clock_step) return std::nullopt;
+    const auto nanoseconds = [](const timespec& time) {
+        return std::int64_t{time.tv_sec} * 1'000'000'000 + time.tv_nsec;
+    };
+    return FileStamp{static_cast<std::uint64_t>(status.st_size), status.st_ino, nanoseconds(status.st_mtim),
+                     nanoseconds(status.st_ctim)};
 }
 
 std::optional<Ownership> ownership_of(const fs::path& path) {

@@ -155,6 +155,22 @@ std::optional<fs::path> home_folder() {
     return home == nullptr || *home == L'\0' ? std::nullopt : std::optional<fs::path>(home);
 }
 
+std::optional<FileStamp> settled_stamp_of(const fs::path& path) {
+    const auto information = information_on(path);
+    if (!information) return std::nullopt;
+    const auto whole = [](DWORD high, DWORD low) { return (std::uint64_t{high} << 32U) + low; };
+    const auto steps = [&](const FILETIME& time) {
+        return static_cast<std::int64_t>(whole(time.dwHighDateTime, time.dwLowDateTime));
+    };
+    FILETIME now{};
+    GetSystemTimeAsFileTime(&now);
+    constexpr std::int64_t clock_step = 20'000'000; // 100 ns
+    if (steps(now) - steps(information->ftLastWriteTime) <= clock_step) return std::nullopt;
+    return FileStamp{whole(information->nFileSizeHigh, information->nFileSizeLow),
+                     whole(information->nFileIndexHigh, information->nFileIndexLow),
+                     steps(information->ftLastWriteTime), 0};
+}
+
 std::optional<Ownership> ownership_of(const fs::path&) { return std::nullopt; }
 
 std::uintmax_t size_of(const fs::path& path) {
