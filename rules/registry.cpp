@@ -95,6 +95,7 @@
     RULE(recursive_call)                        /* MAC412 */ \
     RULE(g66_not_cancelled)                     /* MAC413 */ \
     RULE(g67_without_g66)                       /* MAC414 */ \
+    RULE(reference_under_modal_call)            /* MAC415 */ \
     RULE(m98_p_format)                          /* MAC417 */ \
     RULE(m98_with_arguments)                    /* MAC418 */ \
     RULE(two_calls_one_block)                   /* MAC423 */ \

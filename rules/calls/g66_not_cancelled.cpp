@@ -29,6 +29,7 @@ extern const Rule g66_not_cancelled{
     .severity = Severity::warning,
     .precision = Precision::high,
     .needs = {Capability::modal_calls},
+    .yields_to = "MAC415",
     .facts = dataflow::facts<dataflow::BeforeToolChange, dataflow::ExitState>(),
     .data_flow = true,
     .messages =

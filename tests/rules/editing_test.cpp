@@ -53,9 +53,11 @@ class EditedFolder {
     explicit EditedFolder(unsigned seed)
         : dice_(seed) {
         for (const char* kind : {"good", "defects"})
-            for (const auto& entry : fs::directory_iterator(fs::path(MACLINT_SOURCE_DIR) / "corpus/fanuc" / kind))
+            for (const auto& entry :
+                 fs::directory_iterator(fs::path(MACLINT_SOURCE_DIR) / "corpus/fanuc" / kind))
                 if (entry.is_regular_file() && entry.path().extension() == ".nc")
-                    write(std::string(kind) + "/" + entry.path().filename().string(), read_file(entry.path()));
+                    write(std::string(kind) + "/" + entry.path().filename().string(),
+                          read_file(entry.path()));
         for (const auto& [name, text] : files_)
             for (std::string& line : lines_of(text)) blocks_.push_back(std::move(line));
     }
@@ -94,7 +96,9 @@ class EditedFolder {
         files_[name] = text;
     }
 
-    std::string any_file() { return std::next(files_.begin(), static_cast<std::ptrdiff_t>(dice_.below(files_.size())))->first; }
+    std::string any_file() {
+        return std::next(files_.begin(), static_cast<std::ptrdiff_t>(dice_.below(files_.size())))->first;
+    }
 
     std::string& open(const std::string& name) {
         if (open_.size() > 3) open_.clear();

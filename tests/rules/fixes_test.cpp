@@ -1,5 +1,5 @@
-//! A safe fix leaves what the program does, unless the control would have refused the block: held against runs of
-//! the program before and after, over the bad examples of all rules and the defects of corpus/.
+//! A safe fix leaves what the program does, unless the control would have refused the block: held against
+//! runs of the program before and after, over the bad examples of all rules and the defects of corpus/.
 #include "cli/config/shop_demands.hpp"
 #include "tests/execution/compared_runs.hpp"
 #include "tests/support/linted.hpp"
@@ -91,7 +91,8 @@ void hold(const Defective& program, Held& held) {
     for (const auto& [finding, suppressed] : result.findings)
         for (const Fix& fix : finding.fixes) {
             if (!is_kept_safe(finding, fix)) continue;
-            const Comparison found = RunsOf({{path, text}}).compare(changed(text, fix), {}, lines_of(path, fix));
+            const Comparison found =
+                RunsOf({{path, text}}).compare(changed(text, fix), {}, lines_of(path, fix));
             held.led_to += found.touching > 0 ? 1U : 0U;
             if (!found.same())
                 held.other.push_back(std::string(finding.rule->code) + " " + fix.title + ", line " +
