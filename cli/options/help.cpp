@@ -2,6 +2,7 @@
 #include "cli/options/help.hpp"
 
 #include "cli/report/columns.hpp"
+#include "cli/text/letters.hpp"
 
 #include <algorithm>
 
@@ -39,13 +40,19 @@ std::string typed(const CLI::Option& option) {
     return option.get_items_expected_min() > 0 ? names + " " + option.get_type_name() : names;
 }
 
+/// That of an option, however the version of CLI11 writes its own.
+std::string group_of(const CLI::Option& option) {
+    const std::string& group = option.get_group();
+    return in_lower_case(group) == in_lower_case(last_group) ? std::string(last_group) : group;
+}
+
 /// In the order in which they were declared, the last one last.
 std::vector<std::string> groups_of(const std::vector<const CLI::Option*>& options) {
     std::vector<std::string> groups;
     for (const CLI::Option* option : options)
-        if (!option->get_positional() && option->get_group() != last_group &&
-            std::ranges::find(groups, option->get_group()) == groups.end())
-            groups.push_back(option->get_group());
+        if (!option->get_positional() && group_of(*option) != last_group &&
+            std::ranges::find(groups, group_of(*option)) == groups.end())
+            groups.push_back(group_of(*option));
     groups.emplace_back(last_group);
     return groups;
 }
@@ -66,7 +73,7 @@ std::string help_of(const CLI::App& app, std::string_view usage, std::span<const
     for (const std::string& group : groups_of(options)) {
         out += "\n" + group + ":\n";
         for (const CLI::Option* option : options)
-            if (!option->get_positional() && option->get_group() == group)
+            if (!option->get_positional() && group_of(*option) == group)
                 out += entry(typed(*option), option->get_description(), width);
     }
     if (!examples.empty()) out += "\nExamples:\n";
