@@ -25,7 +25,7 @@ ROOT = Path(__file__).resolve().parents[2]
 def corpora_of(root, shared):
     """Our own clean programs, and those of others beside the project where they are."""
     found = [Corpus.read(root / 'corpus' / language / 'good', name, language)
-             for language, name in (('fanuc', 'own'), ('dinplus', 'own-dinplus'))]
+             for language, name in (('fanuc', 'own'), ('dinplus', 'own-dinplus'), ('sinumerik', 'own-sinumerik'))]
     for folder, name, language in (('fanuc-macro', 'macros', 'fanuc'), ('fanuc-plain', 'plain', 'fanuc'), ('dinplus', 'dinplus', 'dinplus')):
         if (shared / 'corpus' / folder).is_dir():
             found.append(Corpus.read(shared / 'corpus' / folder, name, language))
@@ -75,7 +75,7 @@ def main():
                         help='no more than N places of a class in a half of the authors (default: 400; 0: all)')
     parser.add_argument('--each-file', type=int, default=0, metavar='N', help='no more than N places of a class in a file')
     parser.add_argument('--class', dest='classes', action='append', choices=KINDS, metavar='CLASS', help='only this class')
-    parser.add_argument('--corpus', action='append', help='only this one: own, own-dinplus, macros, plain, dinplus')
+    parser.add_argument('--corpus', action='append', help='only this one: own, own-dinplus, own-sinumerik, macros, plain, dinplus')
     parser.add_argument('--half', choices=('tune', 'hold'), help='only the programs of this half of the authors')
     parser.add_argument('--file', action='append', help='only programs with this in their path')
     parser.add_argument('--smallest', action='store_true', help='show the smallest program for each group of misses')

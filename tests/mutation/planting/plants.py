@@ -1,7 +1,7 @@
 """What a plant is, and the table of all classes of defects."""
 from dataclasses import dataclass, field
 
-from . import dinplus_kinds
+from . import dinplus_kinds, sinumerik_kinds
 
 ERROR, WARNING, NOTE = 'error', 'warning', 'note'
 RANK = {NOTE: 0, WARNING: 1, ERROR: 2}
@@ -215,4 +215,5 @@ KINDS = {kind.name: kind for kind in [
         ('din-letter-unknown', 'DIN331 DIN330', 'a transfer value of another letter, which no word of a call passes'),
     ]),
     *(kind for group, severity, rows in dinplus_kinds.ROWS for kind in table(f'DIN PLUS: {group}', severity, rows, own_bar=True)),
+    *(kind for group, severity, rows in sinumerik_kinds.ROWS for kind in table(f'SINUMERIK: {group}', severity, rows, own_bar=True)),
 ]}

@@ -2,7 +2,7 @@
 import json
 from collections import Counter, defaultdict
 
-from . import dinplus_kinds
+from . import dinplus_kinds, sinumerik_kinds
 from .plants import ERROR, KINDS, WARNING
 from .runs import SHOWN_BY_RUNS
 
@@ -52,7 +52,13 @@ def class_bars(results):
     for name, kind in KINDS.items():
         chosen = of_kind(results, name)
         if kind.own_bar and any(verdict in JUDGED for _, verdict, _ in chosen):
-            yield name, chosen, dinplus_kinds.BARS.get(name, BARS[kind.severity])
+            yield name, chosen, bar_of(name, kind)
+
+
+def bar_of(name, kind):
+    if kind.group.startswith('SINUMERIK'):
+        return sinumerik_kinds.BARS.get(name, sinumerik_kinds.SHARES[kind.severity])
+    return dinplus_kinds.BARS.get(name, BARS[kind.severity])
 
 
 def summary(results):

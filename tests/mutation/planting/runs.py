@@ -7,7 +7,7 @@ from pathlib import Path
 
 from .plants import KINDS
 
-READ_ALONE = ('spelling', 'forms', 'DIN PLUS')  # how groups begin whose plants no control runs
+READ_ALONE = ('spelling', 'forms', 'DIN PLUS', 'SINUMERIK')  # how groups begin whose plants no control runs
 LEFT_OVER = ('incremental-left', 'mode-left', 'feed-left', 'speed-left', 'cancel-removed')  # defects by what is left at the end
 SAME = 'the runs do the same'
 SAME_STATE = 'the runs leave the same modal state'

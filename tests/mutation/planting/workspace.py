@@ -6,12 +6,12 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from . import (dinplus, edit, fanuc, fanuc_calls, fanuc_conditions, fanuc_forms, fanuc_jumps, fanuc_loops, fanuc_modal,
-               fanuc_numbers, fanuc_saved, fanuc_variables, spelling)
+               fanuc_numbers, fanuc_saved, fanuc_variables, sinumerik, sinumerik_kinds, spelling)
 from .callers import NEEDS, Callers
 from .plants import KINDS, NOTE, WARNING, Plant
 from .shows import lines_that_show
 
-USUAL = {'.nc', '.ncs', '.cnc', '.tap', '.ncc', '.txt', '.gcode', '.ncf', ''}
+USUAL = {'.nc', '.ncs', '.cnc', '.tap', '.ncc', '.txt', '.gcode', '.ncf', '.mpf', '.spf', '.def', ''}
 LARGEST = 200_000  # bytes; what is larger is moves
 CALLED_BY_NAME = re.compile(r'L\s*"([^"]+)"')
 
@@ -67,6 +67,8 @@ class Corpus:
     def names(self, file):
         if self.language == 'dinplus':
             return {file.path.stem.upper()}
+        if self.language == 'sinumerik':
+            return sinumerik.names_of(file.path, file.lines)
         named = re.match(r'[Oo]?0*(\d+)$', file.path.stem)
         own = {program.number for program in fanuc.programs_of(file.lines) if program.number is not None}
         return own | ({int(named.group(1))} if named else set())
@@ -74,6 +76,8 @@ class Corpus:
     def called(self, file):
         if self.language == 'dinplus':
             return {name.upper() for name in CALLED_BY_NAME.findall(file.text)}
+        if self.language == 'sinumerik':
+            return sinumerik.named_in(file.path, file.lines) - sinumerik.names_of(file.path, file.lines)
         return fanuc.calls_of(file.lines)
 
     def plants(self, path):
@@ -84,6 +88,9 @@ class Corpus:
                          for name in self.names(self.files[other])}
             for kind, edits, harmless in dinplus.plants(file.lines, libraries, self.name.startswith('own')):
                 yield self.planted(kind, path, file.lines, edits, harmless)
+            return
+        if self.language == 'sinumerik':
+            yield from self.sinumerik_plants(path)
             return
         lines = file.lines
         numbers = {name for other in self.neighbours[path] for name in self.names(self.files[other])}
@@ -99,18 +106,28 @@ class Corpus:
                     harmless = 'its callers say the mode anew before they need it'
                 yield self.planted(kind, path, lines, edits, harmless, *added)
 
+    def sinumerik_plants(self, path):
+        if path.suffix.lower() not in sinumerik.WHOLE:
+            return
+        files = [self.files[other] for other in self.neighbours[path]]
+        libraries = {program.name: program for file in files if file.path.suffix.lower() in sinumerik.WHOLE
+                     for program in [sinumerik.program_of(file.path, file.lines)]}
+        shared = {name for file in files for name in self.names(file)}
+        for kind, edits, harmless in sinumerik.plants(sinumerik.program_of(path, self.files[path].lines), libraries, shared):
+            yield self.planted(kind, path, self.files[path].lines, edits, harmless)
+
     def planted(self, kind, path, lines, edits, harmless, added=None):
         changes = edit.apply(lines, edits)
         if all(changes[line] == lines[line] for line in changes):
             harmless = 'nothing changes'
-        least = NOTE if kind in ('label-doubled', 'zero-as-vacancy', 'feed-left', 'speed-left') else WARNING
+        least = NOTE if kind in ('label-doubled', 'zero-as-vacancy', 'feed-left', 'speed-left', *sinumerik_kinds.NOTES) else WARNING
         added = {path.parent / name: text for name, text in (added or {}).items()}
-        return Plant(kind, Path(self.name) / path, changes, harmless, least, kind.endswith('program-missing'),
+        return Plant(kind, Path(self.name) / path, changes, harmless, least, kind.endswith('program-missing') or kind == 'sin-undefined',
                      [lines[line] for line in sorted(changes)], self.half(path), added=added)
 
     def shown(self, plant):
         """Lines of the plant's program that show the defect, from 1 on; nothing: each of them."""
-        if self.language == 'dinplus':
+        if self.language != 'fanuc':
             return None
         return lines_that_show(self.files[Path(*plant.path.parts[1:])].lines, plant.changes, KINDS[plant.kind].group)
 
