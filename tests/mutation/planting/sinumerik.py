@@ -28,5 +28,4 @@ def names_of(path, lines):
 
 
 def named_in(path, lines):
-    program = program_of(path, lines)
-    return set(program.named) | {block.text.split()[0] for block in program.blocks if block.text[:1] == 'L' and block.text[1:2].isdigit()}
+    return program_of(path, lines).named

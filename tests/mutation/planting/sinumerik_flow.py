@@ -119,13 +119,18 @@ def exits(program, libraries):
             yield 'sin-exit-lost', emptied(out[0]), ''
     for block in program.blocks:
         jump = block.jump
-        if not jump or jump.group(1) not in ('GOTOB', 'GOTO') or not block.text.startswith('IF') or len(JUMP.findall(block.text)) != 1:
+        start = next((found for found in program.before(block) if jump and found.label == jump.group(2)), None)
+        if start is None or jump.group(1) not in ('GOTOB', 'GOTO') or len(JUMP.findall(block.text)) != 1:
             continue
-        start = next((found for found in program.before(block) if found.label == jump.group(2)), None)
-        between = program.before(block)[program.blocks.index(start):] if start else None
-        if between and not any('GOTO' in found.text or ENDS.search(found.text) or list(found.calls(libraries)) or found.text.startswith('CALL')
-                               for found in between):
-            yield 'sin-endless-jump', put(block, (block.head, block.head + jump.start(1)), ''), ''
+        circle = program.before(block)[program.blocks.index(start):]
+        own = {found.label for found in circle if found.label}
+        out = [found for found in circle if ENDS.search(found.text) or 'CASE' in found.text or any(name not in own for _, name in JUMP.findall(found.text))]
+        waits = any(found.has('G4', 'STOPRE', 'M0') or '$A' in found.text or found.text.startswith('CALL') for found in circle + [block])
+        if block.text.startswith('IF') and not out:
+            edits = put(block, (block.head, block.head + jump.start(1)), '')
+            yield 'sin-endless-jump', edits, 'it may wait on purpose' if waits else ''
+        elif jump.start() == 0 and len(out) == 1 and out[0].text.startswith('IF') and out[0].jump and not out[0].inside:
+            yield 'sin-endless-jump', emptied(out[0]), 'it may wait on purpose' if waits else ''
 
 
 def ends(program, libraries):

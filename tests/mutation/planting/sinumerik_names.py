@@ -79,8 +79,8 @@ def indices(program, block):
         return
     for found in block.each(r'(?<![\w$])([A-Z_]{2}\w*)\[([^\[\]]+)\]'):
         own = program.variables.get(found.group(1))
-        if own is None or not own.sizes or own.parameter:
-            continue
+        if own is None or not own.sizes or own.parameter or own.type == 'STRING':
+            continue  # of a text the last index is a character
         given = [part.strip() for part in found.group(2).split(',')]
         if given[0].isdigit():
             begin = found.start(2)

@@ -6,7 +6,7 @@ HEAD = re.compile(r'\s*(?:/\d?\s*)?(?:N\s*(\d+)\s*)?')
 LABEL = re.compile(r'([A-Z_]{2}\w*)\s*:(?!=)\s*', re.I)
 NAME = re.compile(r'(?<![\w$])[A-Z_]{2}\w*', re.I)
 NUMBER = r'-?(?:\d+\.?\d*|\.\d+)'
-WORD = re.compile(rf'(?<![\w$"])([A-Z])({NUMBER})(?![\w.])')  # an address of one letter with a plain number
+WORD = re.compile(rf'(?<![\w$"])([A-Z])({NUMBER})(?![\w.=])')  # an address of one letter with a plain number
 STRUCTURE = re.compile(r'(IF|ELSE|ENDIF|FOR|ENDFOR|WHILE|ENDWHILE|LOOP|ENDLOOP|REPEAT|UNTIL)\b')
 CLOSERS = {'IF': 'ENDIF', 'FOR': 'ENDFOR', 'WHILE': 'ENDWHILE', 'LOOP': 'ENDLOOP', 'REPEAT': 'UNTIL'}
 LOOPS = ('FOR', 'WHILE', 'LOOP', 'REPEAT')
@@ -127,6 +127,7 @@ class Program:
         self.proc = next((block for block in self.blocks if PROC.match(block.text)), None)
         self.save = self.proc is not None and re.search(r'\bSAVE\b', self.proc.text) is not None
         self.named = {name for block in self.blocks for name in NAME.findall(block.bare)}
+        self.named |= {found.group() for block in self.blocks for found in block.each(r'(?<![\w$])L\d+(?![\w.=])')}
         self.read_definitions()
         self.nest()
 

@@ -144,5 +144,6 @@ def frames(program):
             on = any(other.end != match.end() for other, match in commands[:place])
             off = any(other.end == match.end() for other, match in commands[place + 1:])
             if on and not off and follow is None:
-                reason = 'a jump passes over it' if block.label else ''
+                computed = any(other.text.startswith(('CALL', 'PCALL')) for other in program.blocks if other.line > commands[0][0].line)
+                reason = 'a computed call may cancel it' if computed else ''
                 yield 'sin-frame-left', emptied(block), reason
