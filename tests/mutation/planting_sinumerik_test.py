@@ -160,6 +160,7 @@ NONE = [
     ('sin-frame-left', 'A.SPF', ['PROC A SAVE', 'TRANS X10', 'TRANS', 'RET'], ''),
     ('sin-frame-left', 'A.MPF', ['TRANS X10', 'CALL WORDS_', 'TRANS', 'M30'], 'a computed call may cancel it'),
     ('sin-frame-lost', 'A.MPF', ['TRANS X10', 'G0 X0', 'AROT RPL=30', 'TRANS', 'M30'], ''),  # a move stands between
+    ('sin-frame-lost', 'A.MPF', ['TRANS', 'AROT RPL=30', 'TRANS', 'M30'], ''),  # there is nothing to lose
     ('sin-coupling-left', 'A.MPF', ['TRANSMIT(1)', 'TRAFOOF', 'TRACYL(50)', 'TRAFOOF', 'M30'], 'another one follows'),
     ('sin-speed-without-limit', 'A.MPF', ['LIMS=3000', 'G97 S200', 'M30'], ''),
     ('sin-radius-closed', 'A.MPF', ['G0 X=R1 Y0', 'G2 X20 Y20 CR=20'], ''),  # where it begins is not known

@@ -49,7 +49,7 @@ def arcs(program):
         diameter = (diameter or block.has('DIAMON')) and not block.has('DIAMOF')
         axes, centres = PLANES[plane]
         words = {word.group(1): word for word in block.words()}
-        if absolute and block.has('G2', 'G3') and all(axis in place for axis in axes) and not diameter:
+        if block.has('G2', 'G3') and all(axis in place for axis in axes) and not diameter:
             yield from arc(block, words, axes, centres, place)
         if re.match(r'(?:CALL|REPEAT|[A-Z_]{2}\w*\(|[A-Z_]{2}\w*$)', block.text) and not re.match(r'MSG|STOPRE', block.text):
             place = {}
