@@ -98,7 +98,7 @@ def indices(program, block):
 def types(program, block):
     stored = re.match(r'([A-Z_]{2}\w*)=(?!=)(\S+)', block.text)
     own = program.variables.get(stored.group(1)) if stored else None
-    if own and own.type in NUMBERS and not own.sizes:
+    if own and own.type in NUMBERS and not own.sizes and '"' not in stored.group(2):
         yield 'sin-text-for-number', put(block, (block.head + stored.start(2), block.head + stored.end(2)), '"10"'), ''
 
 
