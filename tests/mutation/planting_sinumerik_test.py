@@ -57,6 +57,11 @@ SLIPS = [
     ('sin-name-twice', 'A.MPF', COUNT, ['DEF INT ROW\nDEF INT ROW']),
     ('sin-name-twice', 'DRILL.SPF', DRILL, [DRILL[0] + '\nDEF REAL DEPTH']),
     ('sin-name-form', 'A.MPF', COUNT, ['DEF INT R1_OW', 'N10 WHILE R1_OW<4', 'N20 R1_OW=R1_OW+1']),
+    ('sin-name-long', 'A.MPF', ['DEF INT ROW', 'M30'], ['DEF INT ROW_OF_THE_FIRST_SIDE_AND_OF_THE_SECOND']),
+    ('sin-name-of-a-word', 'A.MPF', ['DEF INT ROW', 'ROW=2 ; ROW', 'M30'], ['DEF INT SPOS', 'SPOS=2 ; ROW']),
+    ('sin-label-of-a-variable', 'A.MPF', ['DEF INT ROW', *JUMP], ['N10 IF R1==2 GOTOF ROW', 'N30 ROW: M30']),
+    ('sin-integer-large', 'A.MPF', ['DEF INT ROW', 'ROW=2'], ['ROW=3000000000']),
+    ('sin-fraction', 'A.MPF', ['DEF INT ROW', 'ROW=2'], ['ROW=2.5']),
     ('sin-undefined', 'A.MPF', ['DEF INT PAD, ROW', 'ROW=PAD', 'M30'], ['DEF INT  ROW']),
     ('sin-values-too-many', 'A.MPF', LOOP, ['DEF REAL PLACES[4]=SET(1,2,3,4,4)']),
     ('sin-system-variable', 'A.MPF', ['R1=$AA_IW[X]'], ['R1=$AA_IWQ[X]']),
@@ -126,6 +131,8 @@ SLIPS = [
     ('sin-radius-short', 'A.MPF', CONTOUR, ['N40 G2 X20 Y20 CR=11.314']),
     ('sin-centre-beside', 'A.MPF', ['G90 G0 X0 Y0', 'G2 X20 Y20 I20 J0', 'M30'], ['G2 X20 Y20 I48.2843 J0']),
     ('sin-division-by-zero', 'A.MPF', ['R1=R2/5'], ['R1=R2/0']),
+    ('sin-cycle-depth', 'A.MPF', ['MCALL CYCLE82(50,0,2,-15,,1)'], ['MCALL CYCLE82(50,0,2,15,,1)']),
+    ('sin-alarm-number', 'A.MPF', ['SETAL(65101,"R1")'], ['SETAL(5101,"R1")']),
     ('sin-position-as-distance', 'A.MPF', ['G0 X=$P_EP[X]+5'], ['G0 X=IC($P_EP[X]+5)']),
 ]
 # (class, file, program, why its place is none; '' where there is no place at all)
@@ -142,6 +149,9 @@ NONE = [
     ('sin-index-beyond', 'A.SPF', ['PROC A(VAR REAL PLACES[4])', 'PLACES[1]=0'], ''),
     ('sin-variable-misspelt', 'A.MPF', ['DEF REAL DEPTH, DETPH', 'DEPTH=0', 'G0 Z=DEPTH'], ''),  # the slip is another variable
     ('sin-values-too-many', 'A.MPF', ['DEF REAL PLACES[4]=SET(1,2)'], ''),  # there is room
+    ('sin-fraction', 'A.MPF', ['DEF REAL ROW', 'ROW=2'], ''),
+    ('sin-cycle-depth', 'A.MPF', ['CYCLE82(-20,-50,2,-15,,1)'], ''),  # the planes are not where it counts on them
+    ('sin-text-for-number', 'A.MPF', ['DEF INT ROW', 'ROW=INDEX(NAME_," ")'], ''),
     ('sin-jump-misspelt', 'A.MPF', ['GOTOC READY', 'READY: M30'], ''),  # it goes on where there is no label
     ('sin-direction', 'A.MPF', ['GOTO READY', 'READY: M30'], ''),
     ('sin-direction', 'A.MPF', ['READY: R1=1', 'GOTOF READY', 'READY: M30'], ''),  # it stands on both sides

@@ -41,6 +41,10 @@ ROWS = [
         ('sin-late-definition', 'SIN201', 'DEF or EXTERN behind the first block that does something'),
         ('sin-name-twice', 'SIN114', 'a variable is defined twice'),
         ('sin-name-form', f'SIN113 {READ}', 'a name that begins with a letter and a figure'),
+        ('sin-name-long', 'SIN113', 'a name of more than 32 characters'),
+        ('sin-name-of-a-word', 'SIN114', 'a variable has the name of a word of the language'),
+        ('sin-label-of-a-variable', 'SIN114', 'a label has the name of a variable'),
+        ('sin-integer-large', 'SIN211', 'a number that no INT holds'),
         ('sin-undefined', 'SIN202 MAC209', 'the definition of a variable is gone'),
         ('sin-values-too-many', 'SIN213', 'one value more than the array has places'),
         ('sin-system-variable', 'SIN204', 'a system variable that there is not'),
@@ -50,6 +54,7 @@ ROWS = [
         ('sin-text-for-number', 'SIN209', 'a text is stored in a number'),
     ]),
     ('names', 'warning', [
+        ('sin-fraction', 'SIN210', 'a number with decimals is stored in an INT'),
         ('sin-variable-misspelt', 'SIN203 SIN202', 'one reading of a variable is misspelt'),
     ]),
     ('flow', 'error', [
@@ -122,8 +127,10 @@ ROWS = [
         ('sin-radius-short', 'MAC522', 'CR is shorter than half of the chord'),
         ('sin-centre-beside', 'MAC522', 'the centre of an arc is not as far from its end as from its start'),
         ('sin-division-by-zero', 'MAC702', 'a division by 0'),
+        ('sin-cycle-depth', 'SIN412', 'the depth of a cycle lies above the plane where it begins'),
     ]),
     ('words', 'warning', [
+        ('sin-alarm-number', 'MAC601', 'an alarm whose number is none of the shop'),
         ('sin-position-as-distance', 'SIN505', 'a position that was read stands in IC( )'),
     ]),
 ]

@@ -13,6 +13,7 @@ def plants(program, shared):
         yield from system_variables(block)
         yield from indices(program, block)
         yield from types(program, block)
+    yield from labels(program)
     yield from misspelt(program, shared)
     yield from loops(program)
 
@@ -33,6 +34,9 @@ def definitions(program, block):
     for name in names[:1]:
         wrong = f'{name[0]}1_{name[1:]}'
         yield 'sin-name-form', everywhere(program, name, wrong), ''
+        yield 'sin-name-long', everywhere(program, name, f'{name}_OF_THE_FIRST_SIDE_AND_OF_THE_SECOND'), ''
+        word = 'SPOS' if 'SPOS' not in program.named else 'OFFN'
+        yield 'sin-name-of-a-word', everywhere(program, name, word), ''
         if used(program, name):
             yield 'sin-undefined', without(program, name, block), ''
     values = block.find(r'(\w+)\[(\d+)(?:,(\d+))?\]=(?:SET)?\(')
@@ -99,7 +103,20 @@ def types(program, block):
     stored = re.match(r'([A-Z_]{2}\w*)=(?!=)(\S+)', block.text)
     own = program.variables.get(stored.group(1)) if stored else None
     if own and own.type in NUMBERS and not own.sizes and '"' not in stored.group(2):
-        yield 'sin-text-for-number', put(block, (block.head + stored.start(2), block.head + stored.end(2)), '"10"'), ''
+        value = (block.head + stored.start(2), block.head + stored.end(2))
+        yield 'sin-text-for-number', put(block, value, '"10"'), ''
+        if own.type == 'INT' and stored.group(2).isdigit():
+            yield 'sin-fraction', put(block, value, f'{stored.group(2)}.5'), ''
+            yield 'sin-integer-large', put(block, value, '3000000000'), ''
+
+
+def labels(program):
+    """A label has the name of a variable, and its jumps follow."""
+    name = next((name for name, own in program.variables.items() if len(name) > 1 and not own.parameter), None)
+    for block in program.blocks:
+        jumps = any(found.jump and found.jump.group(2) == block.label for found in program.blocks)
+        if name and block.label and jumps:
+            yield 'sin-label-of-a-variable', everywhere(program, block.label, name), ''
 
 
 def loops(program):

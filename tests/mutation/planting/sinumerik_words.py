@@ -12,6 +12,7 @@ def plants(program):
         yield from twice(block)
         yield from divisions(block)
         yield from positions(block)
+        yield from numbers(block)
     yield from arcs(program)
 
 
@@ -28,6 +29,16 @@ def divisions(block):
     for divisor in block.each(r'/\s*(\d+\.?\d*)(?![\w.])'):
         yield 'sin-division-by-zero', cut(block, divisor, 1, '0'), ''
         break
+
+
+def numbers(block):
+    """What a cycle and an alarm are called with."""
+    depth = block.find(r'(?<!\w)CYCLE8[1-6]\(\d+,0,\d+,(-)\d')
+    if depth:
+        yield 'sin-cycle-depth', cut(block, depth, 1), ''
+    alarm = block.find(r'(?<!\w)SETAL\((6)\d{4}\b')
+    if alarm:
+        yield 'sin-alarm-number', cut(block, alarm, 1), ''
 
 
 def positions(block):
