@@ -86,7 +86,8 @@ def declarations(program, libraries):
     if named.group(1) == program.name:
         begin = block.head
         yield 'sin-proc-name', put(block, (begin + named.start(1), begin + named.end(1)), f'{program.name[:20]}_OLD'), ''
-    called = any(given for name, other in libraries.items() if name != program.name for line in other.blocks for _, given in line.calls({program.name}))
+    callers = [other for name, other in libraries.items() if name != program.name]
+    called = any(given for other in callers for line in other.blocks for _, given in line.calls({program.name}))
     listed = block.find(r'\(.*\)')
     if called and listed and program.parameters:
         yield 'sin-arguments-without-proc', cut(block, listed), ''

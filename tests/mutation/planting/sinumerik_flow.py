@@ -30,7 +30,8 @@ def jumps(program, block):
     if word in ('GOTOF', 'GOTOB') and len(behind) == 1:
         yield 'sin-direction', put(block, (begin + jump.start(1), begin + jump.end(1)), 'GOTOB' if word == 'GOTOF' else 'GOTOF'), ''
     if word == 'GOTO' and len(known) == 1 and known[0].line > block.line:
-        other = next((found for found in program.before(block) if not found.definition and not found.label and not found.inside and not found.word), None)
+        plain = [found for found in program.before(block) if not (found.definition or found.label or found.inside or found.word)]
+        other = next(iter(plain), None)
         if other and block.label != target:
             yield 'sin-label-twice', put(other, (other.head, other.head), f'{target}: '), ''
 
@@ -62,7 +63,8 @@ def structures(program, block):
         end = program.closer(block)
         loop = block.inside[-1] if block.inside else None
         outer = program.closer(loop) if loop else None
-        if word == 'IF' and end is not None and end.word == 'ENDIF' and outer is not None and loop.word != 'IF' and outer.word == CLOSERS[loop.word]:
+        closed = end is not None and end.word == 'ENDIF' and outer is not None and outer.word == CLOSERS[loop.word]
+        if word == 'IF' and closed and loop.word != 'IF':
             yield 'sin-ends-crossed', gone(end) + added_behind(outer, 'ENDIF'), ''
     if word == 'ELSE':
         yield 'sin-else-twice', added_behind(block, 'ELSE'), ''
@@ -96,7 +98,8 @@ def steps(program, libraries):
         asked = names_of(loop.text[5:])
         body = program.body(loop)
         inside = [block for block in body if stores(block) & asked]
-        other = any('GOTO' in block.text or ENDS.search(block.text) or list(block.calls(libraries)) or block.text.startswith('CALL') for block in body)
+        other = any('GOTO' in block.text or ENDS.search(block.text) or block.text.startswith('CALL') or list(block.calls(libraries))
+                    for block in body)
         step = re.match(r'(\w+)=\1([+-])([^+-]+)$', inside[0].text) if len(inside) == 1 else None
         relation = re.match(r'WHILE\s+(\w+)\s*([<>])=?\s*[^<>=]+$', loop.text)
         alone = step and relation and relation.group(1) == step.group(1)
@@ -124,7 +127,8 @@ def exits(program, libraries):
             continue
         circle = program.before(block)[program.blocks.index(start):]
         own = {found.label for found in circle if found.label}
-        out = [found for found in circle if ENDS.search(found.text) or 'CASE' in found.text or any(name not in own for _, name in JUMP.findall(found.text))]
+        out = [found for found in circle if ENDS.search(found.text) or 'CASE' in found.text
+               or any(name not in own for _, name in JUMP.findall(found.text))]
         waits = any(found.has('G4', 'STOPRE', 'M0') or '$A' in found.text or found.text.startswith('CALL') for found in circle + [block])
         if block.text.startswith('IF') and not out:
             edits = put(block, (block.head, block.head + jump.start(1)), '')
@@ -137,7 +141,8 @@ def ends(program, libraries):
     last = program.blocks[-1]
     end = ENDS.search(last.text)
     called = any(program.name in found.named for name, found in libraries.items() if name != program.name)
-    if end and not (last.label and any(jump.group(2) == last.label for block in program.blocks for jump in JUMP.finditer(block.bare))):
+    targets = {name for block in program.blocks for _, name in JUMP.findall(block.bare)}
+    if end and last.label not in targets:
         yield 'sin-end-of-program-gone', emptied(last), ''
     if end and not program.main and called and last.text in ('RET', 'M17'):
         other = any(re.search(r'(?<!\w)(?:RET|M17)(?!\w)', block.text) for block in program.blocks[:-1])

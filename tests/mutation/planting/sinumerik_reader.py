@@ -14,6 +14,7 @@ JUMP = re.compile(r'\b(GOTO[FBCS]?)\s+([A-Z_]{2}\w*)(?=\s|$)')
 ENDS = re.compile(r'(?<![\w$])(?:RET|M17|M30|M2)(?!\w)')
 TYPES = ('INT', 'REAL', 'BOOL', 'CHAR', 'STRING', 'AXIS', 'FRAME')
 DEFINED = re.compile(rf'DEF\s+(?:NCK\s+|CHAN\s+)?({"|".join(TYPES)})(\[\d+\])?\s+')
+PARAMETER = re.compile(rf'\s*(VAR\s+)?({"|".join(TYPES)})(\[\d+\])?\s+([A-Z_]\w*)(\[[^\]]*\])?')
 PROC = re.compile(r'PROC\s+([A-Z_]\w*)\s*')
 
 
@@ -136,9 +137,10 @@ class Program:
             opened = self.proc.bare.find('(')
             spans = split(self.proc.bare, opened + 1, closing(self.proc.bare, opened)) if opened >= 0 else []
             for place, (begin, end) in enumerate(spans, 1):
-                found = re.compile(rf'\s*(VAR\s+)?({"|".join(TYPES)})(\[\d+\])?\s+([A-Z_]\w*)(\[[^\]]*\])?').match(self.proc.bare, begin, end)
+                found = PARAMETER.match(self.proc.bare, begin, end)
                 if found:
-                    variable = Variable(found.group(2), sizes(found.group(5)), self.proc.line, found.span(4), (begin, end), bool(found.group(1)), place)
+                    variable = Variable(found.group(2), sizes(found.group(5)), self.proc.line, found.span(4), (begin, end),
+                                        bool(found.group(1)), place)
                     self.parameters.append(variable)
                     self.variables[found.group(4)] = variable
         for block in self.blocks:

@@ -1,7 +1,7 @@
 """Slips in what a SINUMERIK program switches on and has to switch off, saves and puts back."""
 import re
 
-from .sinumerik_reader import ENDS, added_behind, added_before, cut, emptied, gone, more, put
+from .sinumerik_reader import ENDS, added_behind, cut, emptied, gone, put
 
 FRAME = r'(?<![\w$])(A?)(?:TRANS|ROT|SCALE|MIRROR)(?!\w)'
 TOOL = r'(?<![\w$])(?:T\d|T=|M6(?!\w)|D\d)'
@@ -40,8 +40,8 @@ def compensation(program, block):
     if code and arc(after) and not arc(block) and not after.label:
         begin = after.head
         yield 'sin-compensation-on-arc', cut(block, code) + [(after.line, (begin, begin), code.group().strip() + ' ')], ''
-    plane = code and after is not None and after.has('G1', 'G0') or after is not None and re.match(r'[XY]', after.text) is not None
-    if code and plane and not arc(after) and not after.has('G40', 'G41', 'G42') and re.search(r'[XYZ]', after.text) and not after.word and not after.label:
+    straight = after is not None and (after.has('G1', 'G0') or re.match(r'[XY]', after.text)) and not after.word and not after.label
+    if code and straight and not arc(after) and not after.has('G40', 'G41', 'G42') and re.search(r'[XYZ]', after.text):
         begin = after.head
         yield 'sin-side-switched', put(after, (begin, begin), ('G42 ' if 'G41' in code.group() else 'G41 ')), ''
     off = block.find(r'(?<!\w)G40\s?')
@@ -50,8 +50,8 @@ def compensation(program, block):
     before = program.at(block, -1)
     if arc(before) and not block.label:
         yield 'sin-compensation-off-arc', cut(block, off) + [(before.line, (before.head, before.head), 'G40 ')], ''
-    later = next((found for found in program.after(block) if found.find(TOOL) or found.find(CYCLE) or found.has('G40', 'G41', 'G42') or found.jump
-                  or found.word in ('ELSE', 'ENDIF') or ENDS.search(found.text)), None)
+    later = next((found for found in program.after(block) if found.find(TOOL) or found.find(CYCLE) or found.has('G40', 'G41', 'G42')
+                  or found.jump or found.word in ('ELSE', 'ENDIF') or ENDS.search(found.text)), None)
     if later is None or later.has('G40', 'G41', 'G42') or later.jump or later.word:
         return
     if later.find(TOOL):
@@ -68,7 +68,8 @@ def cancels(program, block):
         if stop and any(found.has(*on) for found in program.before(block)):
             later = any(found.has(off) for found in program.after(block))
             anew = any(found.has(*on) for found in program.after(block))
-            yield 'sin-coupling-left', emptied(block), 'it is switched off later, too' if later and not anew else 'another one follows' if anew else ''
+            reason = 'another one follows' if anew else 'it is switched off later, too' if later else ''
+            yield 'sin-coupling-left', emptied(block), reason
     rounding = block.find(r'(?<!\w)RNDM=0(?![\w.])')
     if rounding and any(found.find(r'RNDM=(?!0\b)') for found in program.before(block)):
         yield 'sin-rounding-left', cut(block, rounding), ''
@@ -125,7 +126,8 @@ def distances(program, libraries):
     if program.save and last is not None and last.has('G91') and not last.inside:
         yield 'sin-save-gone', cut(program.proc, program.proc.find(r'\s*\bSAVE\b')), ''
     restored = any(block.find(r'(?<!\w)G\[14\]=') for block in program.blocks)
-    moves = [block for block in program.blocks if block.words() and block.find(r'(?<![\w$])[XYZ][-=\d]') and not block.inside and not block.label]
+    moves = [block for block in program.blocks if block.words() and block.find(r'(?<![\w$])[XYZ][-=\d]')
+             and not block.inside and not block.label]
     if not program.save and not restored and moves and not moves[-1].has('G90', 'SUPA', 'G53'):
         yield 'sin-distance-left', put(moves[-1], (moves[-1].head, moves[-1].head), 'G91 '), ''
 

@@ -49,7 +49,8 @@ def conditions(block):
 
 def assignments(program, block):
     stored = block.find(r'(R\d+|[A-Z_]{2}\w*)(?:\[[^\]]*\])?(=)(?!=)')
-    if stored and stored.start() == block.head and not block.definition and (stored.group(1) in program.variables or re.match(r'R\d', stored.group(1))):
+    known = stored and (stored.group(1) in program.variables or re.match(r'R\d', stored.group(1)))
+    if known and stored.start() == block.head and not block.definition:
         yield 'sin-double-equals', cut(block, stored, 2, '=='), ''
     if block.definition or block.action:
         return
@@ -71,8 +72,9 @@ def brackets(block):
     if texts:
         end = texts[-1].end()
         yield 'sin-quote-gone', put(block, (end - 1, end), ''), ''
-        first = texts[0]
-        yield 'sin-quotes-typographic', put(block, (first.start(), first.start() + 1), OPEN_QUOTE) + put(block, (first.end() - 1, first.end()), CLOSE_QUOTE), ''
+        begin, end = texts[0].span()
+        edits = put(block, (begin, begin + 1), OPEN_QUOTE) + put(block, (end - 1, end), CLOSE_QUOTE)
+        yield 'sin-quotes-typographic', edits, ''
 
 
 def numbers(block):
@@ -137,8 +139,10 @@ def forms(block):
 def joined(program, block):
     """Two lines become one."""
     after = program.at(block)
-    if after is None or block.end != len(program.lines[block.line].rstrip()) or after.line != block.line + 1 or after.definition or block.definition:
+    if after is None or after.line != block.line + 1 or after.definition or block.definition:
         return
+    if block.end != len(program.lines[block.line].rstrip()):
+        return  # what follows a remark is part of it
     if STRUCTURE.match(after.text) or after.label or not after.text or block.action:
         return
     if block.word and after.text[0] in 'GXYZTSM':
