@@ -1,7 +1,7 @@
 """Slips in the definitions and names of a SINUMERIK program."""
 import re
 
-from .sinumerik_reader import DEFINED, NAME, added_behind, closing, cut, emptied, gone, more, put, slip, split
+from .sinumerik_reader import DEFINED, NAME, added_behind, closing, cut, emptied, gone, put, slip, split
 
 NUMBERS = ('INT', 'REAL')
 
