@@ -71,6 +71,17 @@ void BlockLowering::check_taken(const Node& name) {
         report(SyntaxErrorKind::taken_name, span(name), defined ? "a variable" : "a macro");
 }
 
+/// Whether the name of a file is the program's with something before or behind it that people add to files:
+/// the folder that it came from ("CMA__DRESS", "4711-DRESS"), or what marks a copy ("DRESS (2)", "DRESS-OLD").
+/// On the control it bears the program's name again.
+bool is_decorated(std::string_view file, std::string_view program) {
+    constexpr std::string_view before = "_-. ";
+    constexpr std::string_view behind = "-. (~";
+    if (file.size() <= program.size()) return false;
+    if (file.ends_with(program)) return before.find(file[file.size() - program.size() - 1]) != std::string_view::npos;
+    return file.starts_with(program) && behind.find(file[program.size()]) != std::string_view::npos;
+}
+
 /// A program's name is that of its file [NCP23 p.490].
 void BlockLowering::check_program_name(const Node& name) {
     check_name(name, limits::program_name);
@@ -78,7 +89,8 @@ void BlockLowering::check_program_name(const Node& name) {
     std::string capitals = upper_text(name);
     if (capitals.starts_with("_N_")) capitals.erase(0, 3);
     if (capitals.ends_with("_SPF") || capitals.ends_with("_MPF")) capitals.resize(capitals.size() - 4);
-    if (capitals != in_capitals(program_->name))
+    const std::string file = in_capitals(program_->name);
+    if (capitals != file && !is_decorated(file, capitals))
         report(SyntaxErrorKind::other_program_name, span(name), program_->name);
 }
 
