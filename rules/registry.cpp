@@ -321,10 +321,12 @@
     RULE(case_value_twice)                       /* SIN304 */ \
     RULE(repetition_marks)                       /* SIN305 */ \
     RULE(missing_reference_argument)             /* SIN402 */ \
+    RULE(fewer_arguments)                        /* SIN403 */ \
     RULE(reference_needs_variable)               /* SIN404 */ \
     RULE(extern_differs)                         /* SIN405 */ \
     RULE(arguments_without_proc)                 /* SIN407 */ \
     RULE(other_program_name)                     /* SIN408 */ \
+    RULE(cycle_under_compensation)               /* SIN411 */ \
     RULE(tool_change_under_compensation)         /* SIN502 */ \
     RULE(frame_replaces)                         /* SIN504 */ \
     RULE(position_as_distance)                   /* SIN505 */ \

@@ -37,6 +37,13 @@ class Domain {
     const States& states_;
 };
 
+/// A file of definitions is never run.
+bool is_never_run(const Program& program) {
+    return std::ranges::all_of(program.sections, [](const Section& section) {
+        return section.executed == Section::Executed::never;
+    });
+}
+
 } // namespace
 
 States::States(const Program& program, const flow::Graph& graph, LeftByCall left_by_call)
@@ -44,7 +51,7 @@ States::States(const Program& program, const flow::Graph& graph, LeftByCall left
     , graph_(&graph)
     , left_by_call_(std::move(left_by_call)) {
     if (program.control->machine_words == nullptr || program.has_several_channels() || graph.nodes.empty() ||
-        graph.nodes.size() > most_nodes) {
+        graph.nodes.size() > most_nodes || is_never_run(program)) {
         left_.state.is_reached = true;
         left_.state.forget();
         return;

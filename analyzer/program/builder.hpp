@@ -67,6 +67,10 @@ class ProgramBuilder {
     [[nodiscard]] std::int32_t number_of_name(SpaceId space, std::string_view name);
     /// The next parameter.
     void add_formal(Formal formal) { program_.formals.push_back(std::move(formal)); }
+    /// The program asks which of them were passed.
+    void allow_missing_arguments() {
+        for (Formal& formal : program_.formals) formal.has_default = formal.passing == Passing::by_value;
+    }
     void add_external(ExternalDeclaration declared) { program_.externals.push_back(std::move(declared)); }
     void add_array_index(const ArrayIndex& index) { program_.array_indices.push_back(index); }
     void set_definition(Span span) { program_.definition = span; }

@@ -32,7 +32,9 @@ std::string text_list() {
 /// "MAC303.md", and not "MACHINES.md".
 bool is_page_name(std::string_view name) {
     constexpr std::size_t digits = 3;
-    if (!name.ends_with(".md") || !(name.starts_with("MAC") || name.starts_with("DIN"))) return false;
+    if (!name.ends_with(".md") ||
+        !(name.starts_with("MAC") || name.starts_with("DIN") || name.starts_with("SIN")))
+        return false;
     const std::string_view number = name.substr(3, name.size() - 6);
     return number.size() == digits && number.find_first_not_of("0123456789") == std::string_view::npos;
 }

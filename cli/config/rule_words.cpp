@@ -23,8 +23,10 @@ bool has_digit(std::string_view text) {
 
 /// "MAC", "MAC3" and "MAC30" are prefixes; "M" and "JUMP" are not.
 bool is_prefix(std::string_view word) {
-    return word == "MAC" || word == "DIN" ||
-           ((word.starts_with("MAC") || word.starts_with("DIN")) && has_digit(word));
+    constexpr std::string_view families[] = {"MAC", "DIN", "SIN"};
+    return std::ranges::any_of(families, [&](std::string_view family) {
+        return word == family || (word.starts_with(family) && has_digit(word));
+    });
 }
 
 /// Several codes of one row have a key each, and its aliases in common.

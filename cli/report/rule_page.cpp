@@ -20,7 +20,7 @@ struct FamilyRow {
     std::string_view name;
 };
 
-constexpr std::array<FamilyRow, 10> families{{
+constexpr std::array<FamilyRow, 11> families{{
     {"MAC0", "input and suppressions"},
     {"MAC1", "syntax"},
     {"MAC2", "variables and data flow"},
@@ -31,6 +31,7 @@ constexpr std::array<FamilyRow, 10> families{{
     {"MAC7", "numbers and expressions"},
     {"MAC8", "style"},
     {"DIN", "DIN PLUS"},
+    {"SIN", "SINUMERIK"},
 }};
 
 std::string_view words_for(Capability capability) {

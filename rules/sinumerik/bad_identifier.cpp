@@ -1,7 +1,12 @@
 //! SIN113: names that the control does not take.
+#include "analyzer/program/model.hpp"
 #include "rules/rule.hpp"
 
 namespace maclint::rules {
+
+namespace {
+void check(const ProgramFile& file, Reporter& reporter);
+}
 
 extern const Rule bad_identifier{
     .code = "SIN113",
@@ -29,7 +34,19 @@ LENGTH1=5
 M30
 )nc"}},
     .sources = {"FUND04 p.60", "NCP19 p.491"},
-    .check = SyntaxErrorKind::malformed_name,
+    .check = &check,
 };
+
+namespace {
+
+/// Who names one variable so names all of them so.
+void check(const ProgramFile& file, Reporter& reporter) {
+    for (const SyntaxError& error : file.syntax_errors)
+        if (error.kind == SyntaxErrorKind::malformed_name)
+            reporter.report({file, error.span}, error.span, "cure", {error.subject, error.cure}).same_cause =
+                error.cure;
+}
+
+} // namespace
 
 } // namespace maclint::rules

@@ -1,15 +1,8 @@
 //! SIN502: the tool is changed while radius compensation is in force.
 #include "analyzer/dataflow/facts/point_state.hpp"
-#include "analyzer/program/tables.hpp"
-#include "analyzer/queries/modal/left_active.hpp"
-#include "analyzer/queries/modal/modes_at.hpp"
-#include "analyzer/workspace/program_analysis.hpp"
-#include "rules/path.hpp"
 #include "rules/rule.hpp"
-#include "rules/trace.hpp"
+#include "rules/sinumerik/under_compensation.hpp"
 
-#include <algorithm>
-#include <set>
 #include <variant>
 
 namespace maclint::rules {
@@ -59,42 +52,16 @@ M30
 
 namespace {
 
-std::optional<EffectId> change_in(const Program& program, const BlockView& block) {
-    for (EffectId id = block.effects.first; id < block.effects.first + block.effects.count; ++id) {
-        const auto* change = std::get_if<ToolChange>(&program.effects[id].what);
-        if (change != nullptr && change->kind == ToolChange::Kind::change) return id;
-    }
-    return std::nullopt;
-}
-
 void check(const ProgramAnalysis& analysis, Reporter& reporter) {
     const Program& program = analysis.program();
-    const auto group = analysis.control().group_with(ModalRole::cutter_compensation);
-    if (!group) return;
-    const std::optional<double> off = analysis.control().groups[*group].cancel;
-    queries::ModesAt modes_at(analysis);
-    queries::Lasting lasting(analysis);
-    std::set<Offset> reported; // blocks that begin it: one finding for each
-    for_each_block_with_effects(program, [&](const BlockView& block) {
-        const auto change = change_in(program, block);
-        if (!change) return;
-        const queries::Modes modes = modes_at(block).with_words(*group);
-        if (modes.unknown) return;
-        const flow::NodeId node = *analysis.graph().node_of(*change);
-        for (const queries::Mode& mode : modes.possible) {
-            if (mode.set_by != queries::Mode::SetBy::word || !mode.code || mode.code == off) continue;
-            const Span begun = queries::span_of(analysis, mode);
-            if (!lasting.until(node, *group, mode.node) || !reported.insert(begun.begin).second) continue;
-            const Span there = program.effects[*change].span;
-            Finding& finding = reporter.report(
-                {analysis, *change}, there, "change",
-                {analysis.control().spell(*group, *mode.code), line_number(analysis.file(), begun.begin),
-                 quoted(program, there), analysis.control().spell(*group, *off)});
-            trace(finding, analysis, mode.node, {analysis.source(), begun, "compensation begins here"}, node,
-                  "it is still in force here");
-            return;
-        }
-    });
+    report_under_compensation(
+        analysis, "change", reporter, [&](const BlockView& block) -> std::optional<EffectId> {
+            for (EffectId id = block.effects.first; id < block.effects.first + block.effects.count; ++id) {
+                const auto* change = std::get_if<ToolChange>(&program.effects[id].what);
+                if (change != nullptr && change->kind == ToolChange::Kind::change) return id;
+            }
+            return std::nullopt;
+        });
 }
 
 } // namespace

@@ -94,6 +94,7 @@ TEST(SinumerikCalls, GiveWhatTheParametersTake) {
     EXPECT_THAT(findings("SIN209", main("SLOT(5,DONE,7)")), SizeIs(1));
     EXPECT_THAT(findings("SIN209", main("SLOT(5,DONE,\"B\"<<DEPTH)")), IsEmpty());
     EXPECT_THAT(findings("SIN407", main("SLOT(5,DONE)")), IsEmpty());
+    EXPECT_THAT(findings("SIN403", main("SLOT(5,DONE)")), IsEmpty()); // what is left out has a default
     EXPECT_THAT(findings("SIN405", "%_N_A_MPF\nDEF INT DONE\nEXTERN SLOT(REAL,VAR INT,STRING[9])\n"
                                    "SLOT(5,DONE)\nM30\n" +
                                        called),
@@ -102,6 +103,27 @@ TEST(SinumerikCalls, GiveWhatTheParametersTake) {
                                    "SLOT(5,DONE)\nM30\n" +
                                        called),
                 SizeIs(1));
+}
+
+/// Each raises its rule alone.
+constexpr std::pair<std::string_view, std::string_view> shared_rules[] = {
+    {"MAC318", "LOOP\nG1 X10 F100\nX0\nENDLOOP\nM30\n"},
+    {"MAC337", "IF R1==1\nG1 X10 F100\nELSE\nG1 X10 F100\nENDIF\nM30\n"},
+    {"MAC413", "MCALL DRILL\nG0 X10\nM30\n"},
+    {"MAC462", "N10 G0 X1\nN20 G0 X2\nN20 G0 X3\nGOTOB N20\n"},
+    {"MAC506", "PROC PART\nDEF INT OLD\nOLD=$P_GG[14]\nG91\nOLD=5\nG0 X5\nG[14]=OLD\nM17\n"},
+    {"MAC507", "PROC PART\nDEF INT OLD\nOLD=$P_GG[14]\nG91\nG0 X5\nM17\n"},
+    {"MAC511", "G17 G90\nG0 X0 Y0\nG41 G2 X20 Y20 CR=20 F100\nG40 G1 X0\nM30\n"},
+    {"MAC514", "G90 G91 G0 X5\nG90\nM30\n"},
+    {"MAC517", "PROC PART\nDEF INT OLD\nG91\nOLD=$P_GG[14]\nG0 X5\nG[14]=OLD\nM17\n"},
+    {"MAC559", "G1 X5 Y5 X6 F100\nM30\n"},
+    {"MAC703", "DEF REAL SIDE=-4\nG1 X=SQRT(SIDE) F100\nM30\n"},
+    {"MAC704", "G1 X=TAN(90) F100\nM30\n"},
+};
+
+TEST(SinumerikShared, RulesOfAllLanguagesHold) {
+    for (const auto& [code, text] : shared_rules)
+        EXPECT_FALSE(findings(code, std::string(text)).empty()) << code;
 }
 
 TEST(SinumerikArrays, AreReadWithinTheirBounds) {
@@ -147,6 +169,26 @@ TEST(SinumerikMachine, KnowsWhereTheToolIs) {
     EXPECT_THAT(findings("MAC510", start + "G41 G1 X10 F100\nG40 X40\nM30\n"), IsEmpty());
     EXPECT_THAT(findings("SIN502", start + "G41 G1 X10 F100\nM6\nM30\n"), SizeIs(1));
     EXPECT_THAT(findings("SIN502", start + "G41 G1 X10 F100\nG40 X20\nM6\nM30\n"), IsEmpty());
+}
+
+TEST(SinumerikMachine, CallsCyclesWithoutCompensation) {
+    const std::string start = "G17 G90 G54\nG0 X20 Y0\nG41 G1 X10 F100\n";
+    EXPECT_THAT(findings("SIN411", start + "CYCLE82(50,0,2,-10,,1)\nM30\n"), SizeIs(1));
+    EXPECT_THAT(findings("SIN411", start + "MCALL CYCLE82(50,0,2,-10,,1)\nX5\nMCALL\nM30\n"), SizeIs(1));
+    EXPECT_THAT(findings("SIN411", start + "G40 X30\nCYCLE82(50,0,2,-10,,1)\nM30\n"), IsEmpty());
+    EXPECT_THAT(findings("SIN411", "%_N_A_MPF\n" + start + "CYCLE82(5)\nG40 X1\nM30\n" +
+                                       "%_N_CYCLE82_SPF\nPROC CYCLE82(REAL DEPTH)\nM17\n"),
+                IsEmpty()); // the shop's own
+}
+
+TEST(SinumerikCouplings, AreSwitchedOffAgain) {
+    EXPECT_THAT(findings("MAC502", "TRANSMIT\nG1 X5 F100\nM30\n"), SizeIs(1));
+    EXPECT_THAT(findings("MAC502", "TRANSMIT\nG1 X5 F100\nTRAFOOF\nM30\n"), IsEmpty());
+    EXPECT_THAT(findings("MAC502", "COUPON(S2,S1)\nG0 X5\nCOUPOF(S2,S1)\nM30\n"), IsEmpty());
+}
+
+TEST(SinumerikMachine, RunsNoDefinitions) {
+    EXPECT_THAT(findings("MAC510", "%_N_SHOP_DEF\nN1\nT=\"\n"), IsEmpty());
 }
 
 TEST(SinumerikNames, AreThoseOfTheFile) {

@@ -10,7 +10,7 @@ PROGRAMS = ROOT / "tests/fixtures/dinplus/statements"
 RULES = ROOT / "docs/rules"
 COLUMNS = ["id", "chapter", "statement", "watched", "note", "lines"]
 MISSING, NOT = "missing", "not"  # instead of rules: nothing reports it yet, and nothing is to report it
-CODE = re.compile(r"\b(?:MAC|DIN)\d{3}(?:/[^\s,;)]+)?")
+CODE = re.compile(r"\b(?:MAC|DIN|SIN)\d{3}(?:/[^\s,;)]+)?")
 LONGEST = 250  # characters of a field: a cell of the page is to be read at a glance
 
 

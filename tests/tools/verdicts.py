@@ -104,7 +104,7 @@ def records(root=ROOT):
     field = r'\.{0} = {1}::(\w+)'
     for source in sorted((root / "rules").rglob("*.cpp")):
         text = source.read_text(encoding="utf-8")
-        for code in re.finditer(r'\.code = "((?:MAC|DIN)\d{3})"', text):
+        for code in re.finditer(r'\.code = "((?:MAC|DIN|SIN)\d{3})"', text):
             severity = re.compile(field.format("severity", "Severity")).search(text, code.end())
             precision = re.compile(field.format("precision", "Precision")).search(text, code.end())
             if severity and precision:

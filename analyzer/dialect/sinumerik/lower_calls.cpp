@@ -57,9 +57,8 @@ void BlockLowering::lower_program_definition(const Node& node) {
 void BlockLowering::save_modes(Span here) {
     const auto& groups = program_->control->groups;
     for (std::size_t i = 0; i < groups.size(); ++i) {
-        const RestorePolicy policy = groups[i].restore_policy;
-        if (policy != RestorePolicy::state && policy != RestorePolicy::operation) continue;
         const auto group = static_cast<GroupId>(i);
+        if (!is_put_back_by_save(group)) continue;
         const std::string name = "SAVE " + std::string(groups[i].name); // no name of a program holds a blank
         const Variable kept{spaces::local, builder_->number_of_name(spaces::local, name)};
         effect({Assign{kept, add({LoadModal{group}, here})}, here});
@@ -231,6 +230,8 @@ void BlockLowering::lower_procedure(std::string_view name, const Node* arguments
         for (const ExpressionId value : values)
             if (const auto* load = std::get_if<Load>(&expression(value).node)) in.push_back(load->variable);
     if (!values.empty()) builder_->add_exchange(values, in, whole);
+    if (const auto coupling = coupling_code(name))
+        effect({SetModal{coupling->group, literal(coupling->code, whole)}, whole});
     if (name == "STOPRE") effect({Synchronise{}, whole});
     if (name == "CALLPATH" || name == "EXTCALL" || name == "EXECSTRING") call_anything(whole);
 }

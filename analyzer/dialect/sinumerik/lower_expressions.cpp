@@ -154,6 +154,7 @@ ExpressionId BlockLowering::lower_system_variable(const Node& node) {
     const Node* name = child(node, Field::name);
     const Node* index = child(node, Field::index);
     const std::string capitals = name == nullptr ? std::string() : upper_text(*name);
+    if (capitals == "$P_SUBPAR") builder_->allow_missing_arguments();
     if (capitals == "$PI") return literal(std::numbers::pi, span(node));
     if (capitals == "$P_GG" && index != nullptr) // the number of the group's member [SV]
         if (const Node* group = only_child(*index))

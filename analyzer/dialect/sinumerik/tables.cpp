@@ -2,6 +2,7 @@
 #include "analyzer/dialect/sinumerik/tables.hpp"
 
 #include "analyzer/dialect/sinumerik/g_codes.hpp"
+#include "analyzer/dialect/sinumerik/word_list.hpp"
 
 #include <algorithm>
 #include <array>
@@ -44,9 +45,24 @@ constexpr FramePart frame_parts[] = {
     {"mirror image",  ModalRole::mirror_image, "MIRROR", "AMIRROR"},
     {"space angles",  ModalRole::tilted_plane, "ROTS",   "AROTS"},
 };
+
+/// What procedures switch on and off again.
+struct Coupling {
+    std::string_view name;
+    std::string_view on, off; ///< procedures, blanks between them
+    std::string_view source;
+};
+constexpr Coupling couplings[] = {
+    {"transformation",       "TRANSMIT TRACYL TRAORI TRAANG TRACON", "TRAFOOF",       "HLS"},
+    {"coupling of spindles", "COUPON COUPONC",                       "COUPOF COUPOFS", "HLS"},
+    {"coupled motion",       "TRAILON",                              "TRAILOF",       "HLS"},
+    {"leading axis",         "LEADON",                               "LEADOF",        "HLS"},
+    {"tangential control",   "TANGON",                               "TANGOF",        "HLS"},
+};
 // clang-format on
 
-constexpr int non_modal_moves = 2, frames = 3;  ///< G groups
+constexpr int non_modal_moves = 2, frames = 3; ///< G groups
+constexpr std::string_view source_of_g_groups = "MD20150, NCI";
 constexpr std::string_view frame_off = "TRANS"; ///< alone in its block
 constexpr std::uint8_t no_row = UINT8_MAX;
 
@@ -77,7 +93,7 @@ std::vector<ModalGroup> modal_groups() {
         ModalGroup& group = groups.emplace_back();
         group.name = row.what;
         group.letter = 'G';
-        group.source = "MD20150, NCI";
+        group.source = source_of_g_groups;
         const auto* role = std::ranges::find(roles, row.number, &GroupRole::group);
         if (role != std::end(roles)) {
             group.role = role->role;
@@ -101,6 +117,14 @@ std::vector<ModalGroup> modal_groups() {
         group = {part.name, part.role, 'G', RestorePolicy::operation, {}, {0}, 0, 0, "SEED-004:71-135"};
         group.members = {{0, frame_off}, {1, part.replaces}};
         group.cancel_words = frame_off;
+    }
+    for (const Coupling& coupling : couplings) {
+        ModalGroup& group = groups.emplace_back();
+        group = {coupling.name,  ModalRole::other, 'G', RestorePolicy::operation, {}, {0}, 0, 0,
+                 coupling.source};
+        const std::string_view off = coupling.off.substr(0, coupling.off.find(' '));
+        group.members = {{0, off}, {1, coupling.on.substr(0, coupling.on.find(' '))}};
+        group.cancel_words = off;
     }
     ModalGroup& call = groups.emplace_back();
     call = {"modal call",      ModalRole::macro_call, 0, RestorePolicy::modal_call, {}, {0}, 0, 0,
@@ -140,13 +164,13 @@ VariableFamily owned() {
 /// Rules that were held against programs of the language, sorted.
 constexpr std::string_view rules_tried[] = {
     "MAC001", "MAC002", "MAC003", "MAC004", "MAC106", "MAC109", "MAC117", "MAC118", "MAC119", "MAC121",
-    "MAC126", "MAC129", "MAC213", "MAC301", "MAC303", "MAC318", "MAC319", "MAC320", "MAC321", "MAC322",
+    "MAC126", "MAC129", "MAC213", "MAC301", "MAC303", "MAC318", "MAC319", "MAC320", "MAC321", "MAC337",
     "MAC340", "MAC411", "MAC412", "MAC413", "MAC456", "MAC457", "MAC462", "MAC472", "MAC501", "MAC502",
     "MAC505", "MAC506", "MAC507", "MAC510", "MAC511", "MAC514", "MAC517", "MAC558", "MAC559", "MAC702",
     "MAC703", "MAC704", "MAC728", "SIN104", "SIN105", "SIN106", "SIN107", "SIN109", "SIN110", "SIN111",
     "SIN112", "SIN113", "SIN114", "SIN115", "SIN123", "SIN124", "SIN201", "SIN204", "SIN207", "SIN208",
-    "SIN209", "SIN213", "SIN302", "SIN303", "SIN304", "SIN305", "SIN402", "SIN404", "SIN405", "SIN407",
-    "SIN408", "SIN502", "SIN504", "SIN505", "SIN601", "SIN602",
+    "SIN209", "SIN213", "SIN302", "SIN303", "SIN304", "SIN305", "SIN402", "SIN403", "SIN404", "SIN405",
+    "SIN407", "SIN408", "SIN411", "SIN502", "SIN504", "SIN505", "SIN601", "SIN602",
 };
 static_assert(std::ranges::is_sorted(rules_tried));
 
@@ -227,6 +251,26 @@ std::optional<FrameCode> frame_code(std::string_view capitals) {
         if (capitals == part.replaces || capitals == part.adds)
             return FrameCode{*control().group_with(part.role), capitals == part.replaces};
     return std::nullopt;
+}
+
+std::optional<GroupCode> coupling_code(std::string_view procedure) {
+    const auto first = static_cast<std::size_t>(modal_call_group()) - std::size(couplings);
+    for (std::size_t i = 0; i < std::size(couplings); ++i)
+        for (const auto& [words, code] :
+             {std::pair(couplings[i].on, 1.0), std::pair(couplings[i].off, 0.0)}) {
+            bool found = false;
+            for_each_word(words, [&](std::string_view word) { found |= word == procedure; });
+            if (found) return GroupCode{static_cast<GroupId>(first + i), code};
+        }
+    return std::nullopt;
+}
+
+bool is_put_back_by_save(GroupId group) {
+    const ModalGroup& row = control().groups[group];
+    const auto frames_of = frame_groups();
+    const bool is_g_group = row.source == source_of_g_groups;
+    return (is_g_group && row.restore_policy != RestorePolicy::none) ||
+           std::ranges::find(frames_of, group) != frames_of.end();
 }
 
 std::vector<GroupId> frame_groups() {

@@ -67,6 +67,10 @@ struct FrameCode {
 [[nodiscard]] std::optional<FrameCode> frame_code(std::string_view capitals);
 /// The groups of all parts of the programmable frame, each 0 or 1.
 [[nodiscard]] std::vector<GroupId> frame_groups();
+/// What a procedure switches on or off: TRANSMIT, TRAFOOF; nothing for others.
+[[nodiscard]] std::optional<GroupCode> coupling_code(std::string_view procedure);
+/// Whether PROC … SAVE keeps the group for the caller: the G codes and the frame [BF11 p.793].
+[[nodiscard]] bool is_put_back_by_save(GroupId group);
 /// "MCALL", on and off.
 [[nodiscard]] GroupId modal_call_group();
 

@@ -1,0 +1,90 @@
+//! SIN411: a drilling or milling cycle while radius compensation is in force.
+#include "analyzer/dataflow/facts/point_state.hpp"
+#include "analyzer/queries/calls/callers.hpp"
+#include "rules/rule.hpp"
+#include "rules/sinumerik/under_compensation.hpp"
+
+#include <algorithm>
+#include <iterator>
+#include <string>
+#include <string_view>
+
+namespace maclint::rules {
+
+namespace {
+void check(const ProgramAnalysis& analysis, Reporter& reporter);
+}
+
+extern const Rule cycle_under_compensation{
+    .code = "SIN411",
+    .name = "cycle-under-compensation",
+    .summary = "A drilling or milling cycle is called while radius compensation is in force",
+    .why =
+        "Such a cycle makes paths of its own, and stops with an alarm unless G40 is in force when it begins.",
+    .severity = Severity::error,
+    .precision = Precision::high,
+    .needs = {Capability::paired_words},
+    .facts = dataflow::facts<dataflow::BeforeNode>(),
+    .data_flow = true,
+    .messages = {{"cycle", "Cycle under compensation: {0} of line {1} is still in force at '{2}'.",
+                  "Write {3} into a straight move away from the contour before it."}},
+    .bad = {{"sinumerik", R"nc(
+G17 G90 G54
+G0 X-30 Y-30
+G41 G1 X0 Y-10 F500
+Y60
+G0 Z50
+CYCLE81(50,0,2,-10,)
+G40
+M30
+)nc"}},
+    .good = {{"sinumerik", R"nc(
+G17 G90 G54
+G0 X-30 Y-30
+G41 G1 X0 Y-10 F500
+Y60
+G40 G1 X-30
+G0 Z50
+CYCLE81(50,0,2,-10,)
+M30
+)nc"}},
+    .sources = {"T: alarm 61815", "SEED-004:242"},
+    .check = &check,
+};
+
+namespace {
+
+/// Sorted.
+constexpr std::string_view cycles[] = {"CYCLE71", "CYCLE76",  "CYCLE77",  "CYCLE81", "CYCLE82", "CYCLE83",
+                                       "CYCLE84", "CYCLE840", "CYCLE85",  "CYCLE86", "CYCLE87", "CYCLE88",
+                                       "CYCLE89", "CYCLE90",  "LONGHOLE", "POCKET1", "POCKET2", "POCKET3",
+                                       "POCKET4", "SLOT1",    "SLOT2"};
+static_assert(std::ranges::is_sorted(cycles));
+
+/// Whether the effect calls one of them, and no program of the shop with its name.
+bool calls_cycle(const ProgramAnalysis& analysis, EffectId id) {
+    const Program& program = analysis.program();
+    const auto* call = std::get_if<Call>(&program.effects[id].what);
+    const auto* written = call == nullptr ? nullptr : std::get_if<Text>(&call->program);
+    if (written == nullptr) return false;
+    std::string name(program.slice(written->characters));
+    std::ranges::transform(name, name.begin(), [](char c) {
+        return c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c;
+    });
+    if (!std::ranges::binary_search(cycles, std::string_view(name))) return false;
+    const auto& calls = analysis.calls();
+    const auto site = std::ranges::find(calls, id, &CallSite::effect);
+    return site == calls.end() || site->candidates == 0;
+}
+
+void check(const ProgramAnalysis& analysis, Reporter& reporter) {
+    report_under_compensation(
+        analysis, "cycle", reporter, [&](const BlockView& block) -> std::optional<EffectId> {
+            for (EffectId id = block.effects.first; id < block.effects.first + block.effects.count; ++id)
+                if (calls_cycle(analysis, id)) return id;
+            return std::nullopt;
+        });
+}
+
+} // namespace
+} // namespace maclint::rules

@@ -1,0 +1,45 @@
+//! Asks what is in force at each block that holds what is wanted.
+#include "rules/sinumerik/under_compensation.hpp"
+
+#include "analyzer/program/tables.hpp"
+#include "analyzer/queries/modal/left_active.hpp"
+#include "analyzer/queries/modal/modes_at.hpp"
+#include "rules/path.hpp"
+#include "rules/trace.hpp"
+
+#include <set>
+
+namespace maclint::rules {
+
+void report_under_compensation(const ProgramAnalysis& analysis, std::string_view message, Reporter& reporter,
+                               const std::function<std::optional<EffectId>(const BlockView&)>& wanted) {
+    const Program& program = analysis.program();
+    const auto group = analysis.control().group_with(ModalRole::cutter_compensation);
+    if (!group) return;
+    const std::optional<double> off = analysis.control().groups[*group].cancel;
+    queries::ModesAt modes_at(analysis);
+    queries::Lasting lasting(analysis);
+    std::set<Offset> reported; // blocks that begin it: one finding for each
+    for_each_block_with_effects(program, [&](const BlockView& block) {
+        const auto found = wanted(block);
+        if (!found) return;
+        const queries::Modes modes = modes_at(block).with_words(*group);
+        if (modes.unknown) return;
+        const flow::NodeId node = *analysis.graph().node_of(*found);
+        for (const queries::Mode& mode : modes.possible) {
+            if (mode.set_by != queries::Mode::SetBy::word || !mode.code || mode.code == off) continue;
+            const Span begun = queries::span_of(analysis, mode);
+            if (!lasting.until(node, *group, mode.node) || !reported.insert(begun.begin).second) continue;
+            const Span there = program.effects[*found].span;
+            Finding& finding = reporter.report(
+                {analysis, *found}, there, message,
+                {analysis.control().spell(*group, *mode.code), line_number(analysis.file(), begun.begin),
+                 quoted(program, there), analysis.control().spell(*group, *off)});
+            trace(finding, analysis, mode.node, {analysis.source(), begun, "compensation begins here"}, node,
+                  "it is still in force here");
+            return;
+        }
+    });
+}
+
+} // namespace maclint::rules
