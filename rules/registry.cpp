@@ -311,6 +311,7 @@
     RULE(malformed_case)                         /* SIN123 */ \
     RULE(split_declaration)                      /* SIN124 */ \
     RULE(definition_after_code)                  /* SIN201 */ \
+    RULE(misspelled_name)                        /* SIN203 */ \
     RULE(unknown_system_variable)                /* SIN204 */ \
     RULE(index_out_of_range)                     /* SIN207 */ \
     RULE(wrong_dimensions)                       /* SIN208 */ \

@@ -151,6 +151,8 @@ TEST(SinumerikFrames, AreInForceUntilTheyAreTakenBack) {
     EXPECT_THAT(findings("SIN504", "TRANS X10\nAROT RPL=45\nG0 X0\n"), IsEmpty());
     EXPECT_THAT(findings("SIN504", "TRANS X10\nG0 X0\nROT RPL=45\nG0 X0\n"), IsEmpty());
     EXPECT_THAT(findings("SIN504", "TRANS X10\nTRANS\nG0 X0\n"), IsEmpty());
+    EXPECT_THAT(findings("SIN504", "TRANS X10\nFOR R1=1 TO 5\nROT RPL=45\nG0 X0\nENDFOR\n"), SizeIs(1));
+    EXPECT_THAT(findings("SIN504", "TRANS X10\nAGAIN: ROT RPL=45\nG0 X0\n"), IsEmpty());
 }
 
 TEST(SinumerikDistances, AreNoPositions) {
@@ -189,6 +191,15 @@ TEST(SinumerikCouplings, AreSwitchedOffAgain) {
 
 TEST(SinumerikMachine, RunsNoDefinitions) {
     EXPECT_THAT(findings("MAC510", "%_N_SHOP_DEF\nN1\nT=\"\n"), IsEmpty());
+}
+
+TEST(SinumerikNames, OneLetterOffAreTold) {
+    const std::string define = "DEF REAL RIM_WIDTH, SIDE_1, BORE_[5]\nRIM_WIDTH=5\n";
+    EXPECT_THAT(findings("SIN203", define + "G1 X=RIM_WIDHT F100\n"), SizeIs(1));
+    EXPECT_THAT(findings("SIN203", define + "RIM_WIDT=3\n"), SizeIs(1));
+    EXPECT_THAT(findings("SIN203", define + "G1 X=SIDE_2 F100\n"), IsEmpty()); // another one of a row
+    EXPECT_THAT(findings("SIN203", define + "G1 X=RIM_WIDE F100\n"), IsEmpty());
+    EXPECT_THAT(findings("SIN203", define + "R1=RIM_WIDHT R2=RIM_WIDHT\n"), IsEmpty()); // of the machine
 }
 
 TEST(SinumerikNames, AreThoseOfTheFile) {

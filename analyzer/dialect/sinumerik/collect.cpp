@@ -2,10 +2,12 @@
 #include "analyzer/dialect/sinumerik/collect.hpp"
 
 #include "analyzer/dialect/ascii.hpp"
+#include "analyzer/dialect/characters.hpp"
 #include "analyzer/dialect/sinumerik/lexer.hpp"
 #include "analyzer/dialect/sinumerik/plain.hpp"
 
 #include <algorithm>
+#include <unordered_map>
 #include <utility>
 
 namespace maclint::sinumerik {
@@ -42,6 +44,18 @@ std::pair<std::string, const Ending*> parts_of(std::string_view written) {
     }
     if (ending != nullptr) name.resize(name.size() - length_of_ending);
     return {std::move(name), ending};
+}
+
+/// Names that differ in a figure alone are two variables of a row.
+bool is_one_letter_off(std::string_view written, std::string_view known) {
+    constexpr std::size_t shortest = 5;
+    if (written.size() < shortest || known.size() < shortest || edit_distance(written, known, 1) != 1)
+        return false;
+    const auto figures = [](std::string_view name) { return std::ranges::count_if(name, is_digit); };
+    const auto differ = std::ranges::mismatch(written, known);
+    const auto is_figure = [](auto at, auto end) { return at != end && is_digit(*at); };
+    return figures(written) == figures(known) && !is_figure(differ.in1, written.end()) &&
+           !is_figure(differ.in2, known.end());
 }
 
 } // namespace
@@ -105,9 +119,28 @@ void Programs::check_labels(const OpenProgram& program) {
     }
 }
 
+/// A name that stands once, is defined nowhere here, and is a letter off a variable of the program.
+void Programs::check_names(const OpenProgram& program) {
+    std::unordered_map<std::string_view, std::size_t> uses;
+    for (const NamedPlace& place : program.unknown) ++uses[place.name];
+    for (const NamedPlace& place : program.unknown) {
+        if (uses[place.name] != 1) continue;
+        const std::string* meant = nullptr;
+        const auto look_at = [&](const std::string& known) {
+            if (is_one_letter_off(place.name, known)) meant = &known;
+        };
+        for (const auto& [known, variable] : program.variables) look_at(known);
+        for (const auto& [known, array] : program.arrays) look_at(known);
+        if (meant != nullptr)
+            file_.syntax_errors.push_back({SyntaxErrorKind::undeclared_name, place.span,
+                                           std::string(source_.bytes(place.span)), *meant});
+    }
+}
+
 void Programs::close() {
     for (OpenProgram& program : open_) {
         check_labels(program);
+        check_names(program);
         file_.programs.push_back(program.builder.take());
     }
 }

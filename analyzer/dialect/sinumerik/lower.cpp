@@ -32,6 +32,7 @@ void BlockLowering::lower(const syntax::Tree& tree, Span block, OpenProgram& pro
         check_alone(items, lowered);
         check_action_number(items);
         note_first_code(items);
+        if (lowered.name) open_->frame.reset();
         watch_frames(items);
         watch_distance(items, lowered);
         for (const Node* item : items) // P3 stands behind the call that it repeats

@@ -210,6 +210,9 @@ bool BlockLowering::report_slip(std::string_view capitals, Span here) {
     std::string_view meant;
     if (content == 1) meant = closer_meant_by(capitals);
     if (names == word_and_label && content == names + ifs) meant = jump_meant_by(capitals);
+    if (names >= word_and_label && ifs == 0 && here.begin == span(*items_[items_.size() - content]).begin &&
+        opener_meant_by(capitals) == "REPEAT")
+        meant = "REPEAT"; // of a part of the program
     if (meant.empty()) return false;
     report(SyntaxErrorKind::unknown_keyword, here, std::string(meant));
     builder_->add_unreadable({{}, {}, true, true}, here);

@@ -126,6 +126,7 @@ ExpressionId BlockLowering::lower_name(const Node& node) {
     if (name == "TRUE") return literal(1, here);
     if (name == "FALSE") return literal(0, here);
     if (open_->arrays.contains(name)) return nobody_knows(here);
+    note_unknown(node);
     return changing(name, here);
 }
 

@@ -42,9 +42,27 @@ void BlockLowering::forget_frames(Span here) {
     for (const GroupId group : frame_groups()) effect({SetModal{group, changing("", here)}, here});
 }
 
+/// Beginnings of loops, and what is stored in variables of the program: the first pass begins with the frame.
+bool BlockLowering::leaves_frame(const Node& item) const {
+    switch (kind_of(item)) {
+    case Kind::for_statement:
+    case Kind::loop_statement:
+    case Kind::repeat_statement: return true;
+    case Kind::assignment: {
+        const Node* target = child(item, Field::left);
+        return target != nullptr && variable_of(*target).has_value();
+    }
+    default: return false;
+    }
+}
+
 /// `TRANS X10` and `ROT RPL=45` behind it: the shift is gone before anything has moved with it.
 void BlockLowering::watch_frames(std::span<const Node* const> items) {
     const std::optional<NamedPlace> before = std::exchange(open_->frame, std::nullopt);
+    if (std::ranges::all_of(items, [this](const Node* item) { return leaves_frame(*item); })) {
+        open_->frame = before;
+        return;
+    }
     if (items.size() < 2 || kind_of(*items.front()) != Kind::command) return;
     const std::optional<FrameCode> code = frame_code(upper_text(*items.front()));
     if (!code) return;

@@ -163,6 +163,17 @@ void BlockLowering::check_text(const Node& node) {
         report(SyntaxErrorKind::text_too_long, span(node), std::to_string(limits::text));
 }
 
+/// What the machine's maker or another program defines is known to nobody here; a slip in one of the
+/// program's own names is told at its end.
+void BlockLowering::note_unknown(const Node& name) {
+    if (kind_of(name) != Kind::name) return;
+    std::string capitals = upper_text(name);
+    if (find_word(capitals) != nullptr || find_g_code(capitals) != nullptr ||
+        open_->macros.contains(capitals))
+        return;
+    open_->unknown.push_back({std::move(capitals), span(name)});
+}
+
 // ---- types
 
 /// "STRING" or a type of numbers; empty: not known, or another one.

@@ -157,6 +157,7 @@ void BlockLowering::store(const Node& target, ExpressionId value, Span whole) {
         break;
     }
     case Kind::name:
+        note_unknown(target);
         add_word(upper_text(target), value, whole);
         moves_ |= upper_text(target) == "AP" || upper_text(target) == "RP"; // a pole's angle and radius
         evaluate(value, whole);

@@ -43,6 +43,7 @@ class BlockLowering : private TreeLowering {
     void lower_frame(std::string_view name, Span here);
     void forget_frames(Span here);
     void watch_frames(std::span<const Node* const> items);
+    [[nodiscard]] bool leaves_frame(const Node& item) const;
     void lower_action(const Node& node);
     void check_action_target(const Node& target);
     void watch_distance(std::span<const Node* const> items, const Block& head);
@@ -138,6 +139,7 @@ class BlockLowering : private TreeLowering {
     void check_index(const Node& node, std::span<const ExpressionId> indices);
     void check_initial_values(const Node& declarator);
     void check_text(const Node& node);
+    void note_unknown(const Node& name);
     void check_operands(const Node& calculation);
     void check_stored(std::string_view type, const Node& value);
     [[nodiscard]] std::string_view type_of_value(const Node& node) const;

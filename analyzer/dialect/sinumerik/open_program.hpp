@@ -52,6 +52,7 @@ struct OpenProgram {
                               ///< elsewhere
     std::vector<NamedPlace> labels = {};
     std::vector<NamedPlace> both_ways = {}; ///< jumps that look in both directions
+    std::vector<NamedPlace> unknown = {};   ///< names that the program does not define
     std::vector<NamedPlace> repeated = {};  ///< parts of the program that REPEAT names
     /// From G291 to G290 the blocks are of another language [T].
     bool foreign_language = false;
