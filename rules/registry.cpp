@@ -316,6 +316,7 @@
     RULE(index_out_of_range)                     /* SIN207 */ \
     RULE(wrong_dimensions)                       /* SIN208 */ \
     RULE(type_clash)                             /* SIN209 */ \
+    RULE(int_overflow)                           /* SIN211 */ \
     RULE(too_many_initial_values)                /* SIN213 */ \
     RULE(ambiguous_label)                        /* SIN302 */ \
     RULE(for_never_runs)                         /* SIN303 */ \

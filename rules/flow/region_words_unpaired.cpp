@@ -31,7 +31,9 @@ extern const Rule region_words_unpaired{
                  {"divides-nothing", "Branch without its beginning: '{0}' belongs to no {2}.",
                   "Remove it, or add the {2}."},
                  {"crossed", "Crossed blocks: '{0}' ends while '{2}' of line {3}, inside it, is still open.",
-                  "End that first."}},
+                  "End that first."},
+                 {"divided-twice", "Second {1}: '{0}' divides the {2} of line {3} once more.",
+                  "Remove one of the two, or close the {2} before it."}},
     .bad = {{"sinumerik", R"nc(
 IF R1>60
 G0 X100
@@ -88,8 +90,25 @@ void report(const ProgramAnalysis& analysis, const flow::RegionFault& fault, con
         finding.related.push_back(related_at_effect(analysis, *fault.other, "this is still open"));
 }
 
+/// ELSE stands once in a choice.
+void report_divided_twice(const ProgramAnalysis& analysis, const flow::Region& region, Reporter& reporter) {
+    const Program& program = analysis.program();
+    const RegionWords* words = words_for(analysis.control(), region.region_kind);
+    std::size_t divided = 0;
+    for (const EffectId part : region.parts) {
+        const auto& mark = std::get<RegionMark>(program.effects[part].what);
+        if (mark.part != Part::middle || mark.condition || ++divided < 2 || words == nullptr) continue;
+        const Span span = program.effects[part].span;
+        reporter.report({analysis, part}, span, "divided-twice",
+                        {quoted(program, span), quoted(program, span), std::string(words->open),
+                         line_number(analysis.file(), program.effects[region.open].span.begin)});
+    }
+}
+
 void check(const ProgramAnalysis& analysis, Reporter& reporter) {
     const Program& program = analysis.program();
+    for (const flow::Region& region : analysis.regions().all)
+        report_divided_twice(analysis, region, reporter);
     for (const RegionKind kind : {RegionKind::choice, RegionKind::while_loop})
         for (const flow::RegionFault& fault : queries::nesting_faults(analysis, kind)) {
             const auto& mark = std::get<RegionMark>(program.effects[fault.effect].what);

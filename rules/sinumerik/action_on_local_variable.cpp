@@ -13,9 +13,9 @@ extern const Rule action_on_local_variable{
     .precision = Precision::high,
     .needs = {Capability::paired_words},
     .messages = {{"cure",
-                  "Variable of the program in a synchronised action: the control does not store in '{0}' "
-                  "there.",
-                  "Write {1}."}},
+                  "Variable of the program in a synchronised action: '{0}', where the control stores in {1} "
+                  "and the like.",
+                  "Write {1}, and read that."}},
     .bad = {{"sinumerik", R"nc(
 ID=1 EVERY $A_IN[1]==1 DO R30=$AA_IW[X]
 G1 X80 F100

@@ -12,7 +12,7 @@ extern const Rule colon_in_jump{
     .severity = Severity::error,
     .precision = Precision::very_high,
     .needs = {Capability::paired_words},
-    .messages = {{"cure", "Colon in a jump: '{0}' is no name of a label.", "Write '{1}'."}},
+    .messages = {{"cure", "Colon in a jump: no label has the name '{0}', but '{1}'.", "Remove the colon."}},
     .bad = {{"sinumerik", R"nc(
 IF R1==1 GOTOF READY:
 G0 X10

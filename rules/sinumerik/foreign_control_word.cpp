@@ -11,7 +11,7 @@ extern const Rule foreign_control_word{
     .severity = Severity::error,
     .precision = Precision::very_high,
     .needs = {Capability::paired_words},
-    .messages = {{"cure", "Control word of another control: at '{0}' the control stops.", "Write {1}."}},
+    .messages = {{"cure", "Control word of another control: the control stops at '{0}', and wants {1}.", ""}},
     .bad = {{"sinumerik", R"nc(
 IF R1>2 THEN
 G0 X10

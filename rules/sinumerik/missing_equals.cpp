@@ -12,8 +12,8 @@ extern const Rule missing_equals{
     .severity = Severity::error,
     .precision = Precision::very_high,
     .needs = {Capability::paired_words},
-    .messages = {{"cure", "Missing '=': '{0}' gives the address no value that the control can read.",
-                  "Write '{1}'."}},
+    .messages = {{"cure", "Missing '=': the control cannot read '{0}', but '{1}'.",
+                  "Write = behind the address."}},
     .bad = {{"sinumerik", R"nc(
 DEF REAL DEPTH=4
 G1 Z-DEPTH F200

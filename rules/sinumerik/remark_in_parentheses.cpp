@@ -12,9 +12,10 @@ extern const Rule remark_in_parentheses{
     .severity = Severity::error,
     .precision = Precision::very_high,
     .needs = {Capability::paired_words},
-    .messages = {{"cure", "Remark in parentheses: '{0}', which the control takes for code.", "Write '{1}'."},
-                 {"plain", "Remark in parentheses: '{0}', which the control takes for code.",
-                  "Write it behind ; at the end of the block."}},
+    .messages = {{"cure", "Remark in parentheses: the control takes '{0}' for code.",
+                  "Write a semicolon before its words, in place of the parentheses."},
+                 {"plain", "Remark in parentheses: the control takes '{0}' for code.",
+                  "Write it at the end of the block, behind a semicolon."}},
     .bad = {{"sinumerik", R"nc(
 G17 G90 G54 (FIRST SIDE)
 G0 X0 Y0

@@ -11,7 +11,8 @@ extern const Rule remark_without_semicolon{
     .severity = Severity::error,
     .precision = Precision::very_high,
     .needs = {Capability::paired_words},
-    .messages = {{"cure", "Remark without its {1}: '{0}' is no block.", "Write {1} before it."}},
+    .messages = {{"plain", "Remark without its semicolon: '{0}' is no block.",
+                  "Write a semicolon before it."}},
     .bad = {{"sinumerik", R"nc(
 G17 G90 G54
 -------- pocket --------

@@ -57,6 +57,7 @@ TEST(SinumerikPairs, EachConstructHasItsOwnClose) {
     EXPECT_THAT(findings("MAC340", "IF R1==1 GOTOF NEXT\nNEXT: M30\n"), IsEmpty());
     EXPECT_THAT(findings("MAC340", "REPEAT\nUNTIL R1>5\nPART: G0 X1\nREPEAT PART P=3\nM30\n"), IsEmpty());
     EXPECT_THAT(findings("MAC340", "LOOP\nGOTOF OUT_\nOUT_: M30\n"), SizeIs(1));
+    EXPECT_THAT(findings("MAC340", "IF R1==1\nR2=1\nELSE\nR2=2\nELSE\nR2=3\nENDIF\n"), SizeIs(1));
     EXPECT_THAT(findings("MAC340", "IF R1==(5\nENDIF\n"), IsEmpty()); // it may have opened there
 }
 
@@ -186,6 +187,9 @@ TEST(SinumerikMachine, CallsCyclesWithoutCompensation) {
 TEST(SinumerikCouplings, AreSwitchedOffAgain) {
     EXPECT_THAT(findings("MAC502", "TRANSMIT\nG1 X5 F100\nM30\n"), SizeIs(1));
     EXPECT_THAT(findings("MAC502", "TRANSMIT\nG1 X5 F100\nTRAFOOF\nM30\n"), IsEmpty());
+    EXPECT_THAT(findings("MAC502", "PROC PART\nRNDM=2\nG1 X5 F100\nM17\n"), SizeIs(1));
+    EXPECT_THAT(findings("MAC502", "PROC PART\nRNDM=2\nG1 X5 F100\nRNDM=0\nM17\n"), IsEmpty());
+    EXPECT_THAT(findings("MAC502", "RNDM=2\nG1 X5 F100\nM30\n"), IsEmpty()); // gone with the job
     EXPECT_THAT(findings("MAC502", "COUPON(S2,S1)\nG0 X5\nCOUPOF(S2,S1)\nM30\n"), IsEmpty());
 }
 

@@ -102,6 +102,9 @@ void Programs::check_labels(const OpenProgram& program) {
         file_.syntax_errors.push_back(
             {kind, place.span, std::string(source_.bytes(place.span)), std::move(cure)});
     };
+    for (const NamedPlace& label : program.labels) // a name stands for one thing alone [NCP19 p.45]
+        if (program.variables.contains(label.name) || program.arrays.contains(label.name))
+            error(SyntaxErrorKind::taken_name, label, "a variable");
     for (const NamedPlace& part : program.repeated)
         if (std::ranges::find(program.labels, part.name, &NamedPlace::name) == program.labels.end())
             error(SyntaxErrorKind::mark_missing, part, "");

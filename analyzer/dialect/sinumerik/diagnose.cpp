@@ -52,7 +52,7 @@ std::optional<SyntaxError> bare_remark(std::string_view text, std::span<const To
                                             [](const Token& token) { return token.kind == TokenKind::sign; });
     if (!dashes && tokens[0].kind != TokenKind::other) return std::nullopt;
     SyntaxError error = error_at(text, SyntaxErrorKind::remark_without_sign,
-                                 {tokens.front().span.begin, tokens.back().span.end}, "';'");
+                                 {tokens.front().span.begin, tokens.back().span.end}, "");
     error.remedy = remark_remedy(error.span.begin);
     return error;
 }
@@ -115,7 +115,7 @@ std::optional<SyntaxError> bracket_mismatch(std::string_view text, std::span<con
 
 } // namespace
 
-Remedy remark_remedy(Offset begin) { return {"Write ; before it", true, {{{begin, begin}, ";"}}}; }
+Remedy remark_remedy(Offset begin) { return {"Write a semicolon before it", true, {{{begin, begin}, ";"}}}; }
 
 std::string_view label_in(std::string_view written) {
     if (written.ends_with(wide_colon)) written.remove_suffix(wide_colon.size());

@@ -2,6 +2,7 @@
 #include "analyzer/dialect/sinumerik/keywords.hpp"
 
 #include "analyzer/dialect/ascii.hpp"
+#include "analyzer/dialect/characters.hpp"
 
 #include <algorithm>
 #include <span>
@@ -38,6 +39,15 @@ std::string_view closer_meant_by(std::string_view capitals) {
     return one_slip_from(closers, capitals);
 }
 std::string_view opener_meant_by(std::string_view capitals) { return one_slip_from(openers, capitals); }
+bool is_foreign_loop_word(std::string_view capitals) {
+    const bool numbered = !capitals.empty() && is_digit(capitals.back());
+    if (numbered) capitals.remove_suffix(1);
+    return numbered && (capitals == "DO" || capitals == "END");
+}
+std::string_view bare_opener_meant_by(std::string_view capitals) {
+    static constexpr std::string_view bare[] = {"ELSE", "LOOP", "REPEAT"};
+    return one_slip_from(bare, capitals);
+}
 std::string_view jump_meant_by(std::string_view capitals) { return one_slip_from(jumps, capitals); }
 
 } // namespace maclint::sinumerik

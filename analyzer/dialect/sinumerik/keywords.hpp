@@ -13,6 +13,10 @@ namespace maclint::sinumerik {
 [[nodiscard]] std::string_view closer_meant_by(std::string_view capitals);
 /// The word that opens a loop or a branch, likewise, at the head of a block that cannot be read.
 [[nodiscard]] std::string_view opener_meant_by(std::string_view capitals);
+/// Of these words one that stands alone in its block: ELSE, LOOP, REPEAT.
+[[nodiscard]] std::string_view bare_opener_meant_by(std::string_view capitals);
+/// DO1, END1 of other controls.
+[[nodiscard]] bool is_foreign_loop_word(std::string_view capitals);
 /// The word of a jump, likewise; it has a label behind it.
 [[nodiscard]] std::string_view jump_meant_by(std::string_view capitals);
 

@@ -174,6 +174,10 @@ void BlockLowering::lower_named(const Node& name, const Node* arguments, const N
     const WordRow* row = find_word(capitals);
     if (is_cycle_name(capitals)) return call_program(span(name), arguments, kind_of_cycle(capitals), here);
     if (row == nullptr) {
+        if (arguments == nullptr && is_foreign_loop_word(capitals)) {
+            report(SyntaxErrorKind::foreign_keyword, here, "WHILE, FOR or LOOP with the word that ends it");
+            return builder_->add_unreadable({{}, {}, true, false}, here);
+        }
         if (arguments == nullptr && (report_letter_o(capitals, here) || report_slip(capitals, here))) return;
         return call_program(span(name), arguments, calls::by_name, here);
     }
@@ -187,7 +191,8 @@ void BlockLowering::lower_named(const Node& name, const Node* arguments, const N
 
 /// `GO X5`: the letter for the figure. Alone in its block it may be a program.
 bool BlockLowering::report_letter_o(std::string_view capitals, Span here) {
-    const bool code = capitals.size() > 1 && capitals.front() == 'G' &&
+    constexpr std::string_view addresses = "GXYZIJKFSM";
+    const bool code = capitals.size() > 1 && addresses.find(capitals.front()) != std::string_view::npos &&
                       capitals.find_first_not_of("O0123456789", 1) == std::string_view::npos;
     const auto words =
         std::ranges::count_if(items_, [](const Node* item) { return !is_head(kind_of(*item)); });
@@ -209,6 +214,7 @@ bool BlockLowering::report_slip(std::string_view capitals, Span here) {
     constexpr std::size_t word_and_label = 2;
     std::string_view meant;
     if (content == 1) meant = closer_meant_by(capitals);
+    if (content == 1 && meant.empty()) meant = bare_opener_meant_by(capitals);
     if (names == word_and_label && content == names + ifs) meant = jump_meant_by(capitals);
     if (names >= word_and_label && ifs == 0 && here.begin == span(*items_[items_.size() - content]).begin &&
         opener_meant_by(capitals) == "REPEAT")

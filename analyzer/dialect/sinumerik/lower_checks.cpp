@@ -1,7 +1,9 @@
 //! What is wrong in a block that the parser could read.
 #include "analyzer/dialect/ascii.hpp"
+#include "analyzer/dialect/characters.hpp"
 #include "analyzer/dialect/sinumerik/diagnose.hpp"
 #include "analyzer/dialect/sinumerik/keywords.hpp"
+#include "analyzer/dialect/sinumerik/lexer.hpp"
 #include "analyzer/dialect/sinumerik/limits.hpp"
 #include "analyzer/dialect/sinumerik/lowering.hpp"
 #include "analyzer/program/faults.hpp"
@@ -122,7 +124,7 @@ void BlockLowering::check_token(const Node& node, const Node* parent) {
         report(SyntaxErrorKind::foreign_keyword, here, "ELSE, and an IF with its ENDIF of its own in it");
         break;
     case Kind::remark:
-        report_with(SyntaxErrorKind::remark_without_sign, here, "';'", remark_remedy(here.begin));
+        report_with(SyntaxErrorKind::remark_without_sign, here, "", remark_remedy(here.begin));
         break;
     case Kind::foreign_comment: report_parentheses(node); break;
     case Kind::unassigned_word: report_missing_equals(node); break;
@@ -226,6 +228,14 @@ void BlockLowering::report_quotes(Span here) {
                  {{{here.begin, here.begin + first}, "\""}, {{here.begin + last, here.end}, "\""}}});
 }
 
+/// The word that a statement begins with.
+Span BlockLowering::keyword_of(const Node& statement) const {
+    const Span whole = span(statement);
+    const std::string_view written = program_->slice(whole);
+    const auto end = std::ranges::find_if_not(written, begins_name);
+    return {whole.begin, whole.begin + static_cast<Offset>(end - written.begin())};
+}
+
 /// A block without a number for the next one lost its line end; what stands behind the condition of an IF
 /// that opens a branch, or beside ELSE and the like, is no block.
 void BlockLowering::check_alone(std::span<const Node* const> items, const Block& head) {
@@ -262,13 +272,13 @@ void BlockLowering::check_alone(std::span<const Node* const> items, const Block&
     if (items.size() < 2 || remarks) return;
     const bool slip = std::ranges::any_of(items, [&](const Node* item) { // IF R1==1 GOTFO NEXT
         return kind_of(*item) == Kind::then_statement ||
-               (kind_of(*item) == Kind::command && !jump_meant_by(upper_text(*item)).empty());
+               (kind_of(*item) == Kind::command &&
+                (!jump_meant_by(upper_text(*item)).empty() || is_foreign_loop_word(upper_text(*item))));
     });
     if (slip) return;
+    if (opens) return report(SyntaxErrorKind::not_alone, keyword_of(*items.front()), "");
     if (branch != items.end() && structure == items.end()) {
-        const Span whole = span(**branch);
-        constexpr Offset length_of_if = 2;
-        return report(SyntaxErrorKind::not_alone, {whole.begin, whole.begin + length_of_if}, "");
+        return report(SyntaxErrorKind::not_alone, keyword_of(**branch), "");
     }
     if (structure != items.end()) report(SyntaxErrorKind::not_alone, span(**structure), "");
 }

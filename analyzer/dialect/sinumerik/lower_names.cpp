@@ -208,6 +208,11 @@ void BlockLowering::check_stored(std::string_view type, const Node& value) {
     const std::string_view given = type_of_value(value);
     if (is_number_type(type) && given == text_type)
         report(SyntaxErrorKind::text_for_number, span(value), std::string(type));
+    if (type == "INT" && kind_of(value) == Kind::number) {
+        const auto number = literal_value(lower_expression(value));
+        if (number && *number > limits::last_integer)
+            report(SyntaxErrorKind::integer_overflow, span(value), "2147483647");
+    }
     if (type == text_type && is_number_type(given))
         report(SyntaxErrorKind::number_for_text, span(value), std::string(type));
 }

@@ -15,6 +15,7 @@ namespace {
 
 constexpr std::string_view letters = "ABCDEFGHIJKLMNOPQRSTUVWXYZ";
 constexpr std::string_view axes = "XYZABCUVW";
+constexpr std::string_view targets = "XYZABCUVWIJK"; ///< a whole circle has its centre alone
 
 /// The address in capitals, alive as long as the tables; empty where it is none of theirs.
 std::string_view lasting(std::string_view capitals) {
@@ -63,7 +64,7 @@ void BlockLowering::lower_word(const Node& node) {
         if (const auto number = literal_value(value)) lower_function_of_machine(*number, here);
         break;
     default:
-        moves_ |= axes.find(address.front()) != std::string_view::npos;
+        moves_ |= targets.find(address.front()) != std::string_view::npos;
         set_value(address.front(), value, here);
         break;
     }
@@ -158,6 +159,7 @@ void BlockLowering::store(const Node& target, ExpressionId value, Span whole) {
     }
     case Kind::name:
         note_unknown(target);
+        set_rounding(upper_text(target), value, whole);
         add_word(upper_text(target), value, whole);
         moves_ |= upper_text(target) == "AP" || upper_text(target) == "RP"; // a pole's angle and radius
         evaluate(value, whole);
@@ -183,6 +185,15 @@ void BlockLowering::store(const Node& target, ExpressionId value, Span whole) {
     }
     default: evaluate(value, whole); break;
     }
+}
+
+/// RNDM=5: all corners behind it, until RNDM=0 [SEED-004:150-164].
+void BlockLowering::set_rounding(std::string_view name, ExpressionId value, Span whole) {
+    const auto rounding = name == "RNDM" ? coupling_code(name) : std::nullopt;
+    if (!rounding) return;
+    const auto radius = literal_value(value);
+    const ExpressionId on = radius ? literal(*radius == 0 ? 0 : 1, whole) : changing("", whole);
+    effect({SetModal{rounding->group, on}, whole});
 }
 
 /// `G[14]=OLD`: the number of the group, and of its member [SV].

@@ -93,6 +93,7 @@ class BlockLowering : private TreeLowering {
     void set_value(char letter, ExpressionId value, Span here);
     [[nodiscard]] bool takes_words(const Node& item) const;
     void lower_function_of_machine(double number, Span here);
+    void set_rounding(std::string_view name, ExpressionId value, Span whole);
     void set_group_by_number(const Node& index, ExpressionId value, Span whole);
     void evaluate(ExpressionId value, Span here);
     void add_word(std::string_view address, std::optional<ExpressionId> value, Span here);
@@ -126,6 +127,7 @@ class BlockLowering : private TreeLowering {
     void report_missing_equals(const Node& word);
     void report_colon_in_jump(const Node& label);
     void report_quotes(Span here);
+    [[nodiscard]] Span keyword_of(const Node& statement) const;
     void check_alone(std::span<const Node* const> items, const Block& head);
     void report_expected(Span here, std::string_view expected);
     void report_with(SyntaxErrorKind kind, Span here, std::string cure, Remedy remedy);

@@ -59,8 +59,9 @@ PlainTables make() {
     set_bytes(tables, "\r\n", PlainStart::end);
     constexpr std::uint8_t most_digits = 8;
     constexpr syntax::PlainForm any{.most_digits = most_digits};
-    set(tables, "ABCUVWXYZ", {.start = PlainStart::axis, .form = any});
-    set(tables, "DHIJKT", {.start = PlainStart::number, .form = any});
+    set(tables, "ABCIJKUVWXYZ",
+        {.start = PlainStart::axis, .form = any}); // a whole circle has its centre alone
+    set(tables, "DHT", {.start = PlainStart::number, .form = any});
     const ControlModel& model = control();
     set(tables, "F", {.start = PlainStart::value, .which = *model.group_with(ModalRole::feed), .form = any});
     set(tables, "S", {.start = PlainStart::value, .which = *model.group_with(ModalRole::speed), .form = any});

@@ -52,12 +52,14 @@ struct Coupling {
     std::string_view on, off; ///< procedures, blanks between them
     std::string_view source;
 };
+constexpr std::string_view rounding = "rounding of corners"; ///< RNDM=5 on, RNDM=0 off, gone when the job ends
 constexpr Coupling couplings[] = {
     {"transformation",       "TRANSMIT TRACYL TRAORI TRAANG TRACON", "TRAFOOF",       "HLS"},
     {"coupling of spindles", "COUPON COUPONC",                       "COUPOF COUPOFS", "HLS"},
     {"coupled motion",       "TRAILON",                              "TRAILOF",       "HLS"},
     {"leading axis",         "LEADON",                               "LEADOF",        "HLS"},
     {"tangential control",   "TANGON",                               "TANGOF",        "HLS"},
+    {rounding,               "RNDM",                                 "RNDM=0",        "SEED-004:150-164"},
 };
 // clang-format on
 
@@ -125,6 +127,7 @@ std::vector<ModalGroup> modal_groups() {
         const std::string_view off = coupling.off.substr(0, coupling.off.find(' '));
         group.members = {{0, off}, {1, coupling.on.substr(0, coupling.on.find(' '))}};
         group.cancel_words = off;
+        if (coupling.name == rounding) group.restore_policy = RestorePolicy::cycle;
     }
     ModalGroup& call = groups.emplace_back();
     call = {"modal call",      ModalRole::macro_call, 0, RestorePolicy::modal_call, {}, {0}, 0, 0,
@@ -169,8 +172,8 @@ constexpr std::string_view rules_tried[] = {
     "MAC505", "MAC506", "MAC507", "MAC510", "MAC511", "MAC514", "MAC517", "MAC558", "MAC559", "MAC702",
     "MAC703", "MAC704", "MAC728", "SIN104", "SIN105", "SIN106", "SIN107", "SIN109", "SIN110", "SIN111",
     "SIN112", "SIN113", "SIN114", "SIN115", "SIN123", "SIN124", "SIN201", "SIN203", "SIN204", "SIN207",
-    "SIN208", "SIN209", "SIN213", "SIN302", "SIN303", "SIN304", "SIN305", "SIN402", "SIN403", "SIN404",
-    "SIN405", "SIN407", "SIN408", "SIN411", "SIN502", "SIN504", "SIN505", "SIN601", "SIN602",
+    "SIN208", "SIN209", "SIN211", "SIN213", "SIN302", "SIN303", "SIN304", "SIN305", "SIN402", "SIN403",
+    "SIN404", "SIN405", "SIN407", "SIN408", "SIN411", "SIN502", "SIN504", "SIN505", "SIN601", "SIN602",
 };
 static_assert(std::ranges::is_sorted(rules_tried));
 
