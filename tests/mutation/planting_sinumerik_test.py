@@ -162,6 +162,8 @@ NONE = [
     ('sin-for-down', 'A.MPF', ['FOR R1=0 TO R2', 'ENDFOR'], ''),
     ('sin-job-end', 'OTHER.SPF', PLAIN, ''),  # nobody calls it
     ('sin-job-end', 'PLAIN.SPF', [PLAIN[0], 'IF R1>2', 'RET', 'ENDIF', 'M17'], 'another path returns'),
+    ('sin-end-of-program-gone', 'A.MPF', JUMP[:2] + ['M30'], 'no source says what the control does then'),
+    ('sin-end-of-program-gone', 'OTHER.SPF', PLAIN, 'nobody calls it'),
     ('sin-modal-call-left', 'A.MPF', ['MCALL CYCLE81(50,0,2,-5,)', 'X10', 'MCALL', 'MCALL CYCLE82(50,0,2,-5,,1)'], ''),
     ('sin-compensation-left', 'A.SPF', ['PROC A SAVE', *CONTOUR[:6], 'M17'], ''),  # SAVE puts it back
     ('sin-compensation-left', 'A.MPF', [*CONTOUR[:6], 'N65 G41 X0', 'N66 G40 X5', 'M30'], None),

@@ -143,7 +143,8 @@ def ends(program, libraries):
     called = any(program.name in found.named for name, found in libraries.items() if name != program.name)
     targets = {name for block in program.blocks for _, name in JUMP.findall(block.bare)}
     if end and last.label not in targets:
-        yield 'sin-end-of-program-gone', emptied(last), ''
+        reason = '' if called and not program.main else 'no source says what the control does then' if program.main else 'nobody calls it'
+        yield 'sin-end-of-program-gone', emptied(last), reason
     if end and not program.main and called and last.text in ('RET', 'M17'):
         other = any(re.search(r'(?<!\w)(?:RET|M17)(?!\w)', block.text) for block in program.blocks[:-1])
         yield 'sin-job-end', put(last, (last.head, last.end), 'M30'), 'another path returns' if other else ''
