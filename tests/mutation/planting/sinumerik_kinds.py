@@ -150,7 +150,7 @@ BARS = {
     'sin-integer-large': 0,
     'sin-undefined': 0,
     'sin-fraction': 0,
-    'sin-variable-misspelt': 0,
+    'sin-variable-misspelt': 0.85,
     'sin-else-twice': 0,
     'sin-step-lost': 5 / 6,
     'sin-step-turned': 3 / 4,
