@@ -5,7 +5,8 @@
 
 ;;; Commentary:
 
-;; (load "/path/to/editors/emacs/maclint") opens .nc, .tap, .cnc, .min, .ncs, .ncd, .eia and O1234 as NC programs.
+;; (load "/path/to/editors/emacs/maclint") opens .nc, .tap, .cnc, .min, .ncs, .ncd, .eia, O1234, and .mpf, .spf, .arc,
+;; .cpf and .def of SINUMERIK, as NC programs.  M-x eglot starts the language server.
 ;; M-x maclint checks the program of the buffer together with those around it, C-u M-x maclint the whole folder;
 ;; M-g n goes to the next finding.  Where flycheck is installed, M-x flycheck-mode shows findings as you type.
 
@@ -89,6 +90,24 @@
   (setq-local case-fold-search nil)
   (setq-local font-lock-defaults '(maclint-dinplus-keywords nil nil)))
 
+(defconst maclint-sinumerik-keywords
+  '(("\\<\\(IF\\|ELSE\\|ENDIF\\|CASE\\|OF\\|DEFAULT\\|GOTO[FBCS]?\\|FOR\\|TO\\|ENDFOR\\|LOOP\\|ENDLOOP\\|WHILE\\|ENDWHILE\\|REPEATB?\\|UNTIL\\|PROC\\|EXTERN\\|MCALL\\|P?CALL\\|DEF\\|REDEF\\|DEFINE\\|AS\\|VAR\\|WHEN\\|WHENEVER\\|EVERY\\|FROM\\|DO\\|RET\\)\\>"
+     1 font-lock-keyword-face)
+    ("^%_N_.*" 0 font-lock-function-name-face)
+    ("\\<PROC[ \t]+\\([A-Z_][A-Z0-9_]*\\)" 1 font-lock-function-name-face)
+    ("\\<\\(INT\\|REAL\\|BOOL\\|CHAR\\|STRING\\|AXIS\\|FRAME\\)\\>" 1 font-lock-type-face)
+    ("^[ \t/0-9]*\\(N[ \t]*[0-9]+\\|[A-Z_][A-Z_][A-Z0-9_]*:\\)" 1 font-lock-constant-face)
+    ("\\(?:\\$\\$?[A-Z_][A-Z0-9_]*\\|\\<R[0-9]+\\>\\)" 0 font-lock-variable-name-face)))
+
+;;;###autoload
+(define-derived-mode maclint-sinumerik-mode prog-mode "SINUMERIK"
+  "SIEMENS SINUMERIK."
+  (modify-syntax-entry ?\; "<")
+  (modify-syntax-entry ?\n ">")
+  (modify-syntax-entry ?_ "w")
+  (setq-local comment-start ";" comment-end "" comment-start-skip ";+[ \t]*")
+  (setq-local font-lock-defaults '(maclint-sinumerik-keywords nil t)))
+
 ;; Only DIN PLUS has header entries (#UNIT METRIC), comments in brackets, and sections: capital words without a number.
 (defconst maclint-dinplus-line
   "^[ \t]*\\(?:#[[:upper:]]\\{2,\\}\\|\\[[/ ]*[[:alpha:]]\\|\\([[:upper:]]\\{4,\\}\\)\\(?:[[ _\"]\\|\r?$\\)\\)")
@@ -102,16 +121,74 @@
         (setq found (not (member (match-string 1) '("GOTO" "WHILE" "POPEN" "PCLOS" "DPRNT" "BPRNT" "SETVN"))))))
     (or found (and buffer-file-name (string-match-p "\\.[nN][cC][sS]\\'" buffer-file-name)))))
 
+(defun maclint--is-sinumerik ()
+  "Whether the name, or a head that the control has written, tells SINUMERIK."
+  (or (and buffer-file-name (string-match-p "\\.\\(?:mpf\\|spf\\|arc\\|cpf\\|def\\)\\'" (downcase buffer-file-name)))
+      (save-excursion
+        (goto-char (point-min))
+        (re-search-forward "^[ \t]*\\(?:%_N_\\|;\\$PATH=\\)" (line-end-position 100) t))))
+
 ;;;###autoload
 (defun maclint-mode ()
   "The mode of an NC program: its name tells little, so the first lines decide."
   (interactive)
-  (if (maclint--is-dinplus) (maclint-dinplus-mode) (maclint-fanuc-mode)))
+  (cond ((maclint--is-sinumerik) (maclint-sinumerik-mode))
+        ((maclint--is-dinplus) (maclint-dinplus-mode))
+        (t (maclint-fanuc-mode))))
 
 ;;;###autoload
-(add-to-list 'auto-mode-alist '("\\.\\(?:[nN][cC]\\|[tT][aA][pP]\\|[cC][nN][cC]\\|[mM][iI][nN]\\|[nN][cC][sS]\\|[nN][cC][dD]\\|[eE][iI][aA]\\)\\'" . maclint-mode))
+(add-to-list 'auto-mode-alist '("\\.\\(?:[nN][cC]\\|[tT][aA][pP]\\|[cC][nN][cC]\\|[mM][iI][nN]\\|[nN][cC][sS]\\|[nN][cC][dD]\\|[eE][iI][aA]\\|[mM][pP][fF]\\|[sS][pP][fF]\\|[aA][rR][cC]\\|[cC][pP][fF]\\|[dD][eE][fF]\\)\\'" . maclint-mode))
 ;;;###autoload
 (add-to-list 'auto-mode-alist '("/[oO][0-9]+\\(?:[_ (-][^./]*\\)?\\'" . maclint-mode))
+
+;;; Language server
+
+;; M-x eglot. The server knows languages by the ids below.
+(defvar eglot-server-programs)
+(with-eval-after-load 'eglot
+  (add-to-list 'eglot-server-programs
+               `((maclint-fanuc-mode maclint-dinplus-mode maclint-sinumerik-mode) . (,maclint-program "lsp"))))
+(put 'maclint-fanuc-mode 'eglot-language-id "fanuc")
+(put 'maclint-dinplus-mode 'eglot-language-id "dinplus")
+(put 'maclint-sinumerik-mode 'eglot-language-id "sinumerik")
+
+(declare-function eglot-current-server "eglot")
+(declare-function jsonrpc-request "jsonrpc")
+(declare-function eglot--apply-workspace-edit "eglot")
+
+(defun maclint--ask (command &rest arguments)
+  "What the server answers to COMMAND with ARGUMENTS."
+  (jsonrpc-request (or (eglot-current-server) (user-error "No server reads this buffer: M-x eglot"))
+                   :workspace/executeCommand `(:command ,command :arguments ,(vconcat arguments))))
+
+(defun maclint--show-page (page)
+  "Show PAGE, which the server has answered."
+  (with-current-buffer (get-buffer-create "*maclint page*")
+    (let ((inhibit-read-only t))
+      (erase-buffer)
+      (insert (plist-get page :markdown)))
+    (goto-char (point-min))
+    (special-mode)
+    (display-buffer (current-buffer))))
+
+(defun maclint-explain (code)
+  "Show the page of the rule CODE, such as MAC303."
+  (interactive "sRule: ")
+  (maclint--show-page (maclint--ask "maclint.explain" code)))
+
+(defun maclint-renumber ()
+  "Renumber the blocks of this program, with all that jumps to them."
+  (interactive)
+  (let ((edit (maclint--ask "maclint.renumber" (plist-get (eglot--TextDocumentIdentifier) :uri))))
+    (when edit (eglot--apply-workspace-edit edit))))
+
+(declare-function eglot--TextDocumentIdentifier "eglot")
+(with-eval-after-load 'eglot
+  ;; "Explain MAC303" among the code actions is a command whose answer eglot would not show.
+  (eval
+   '(cl-defmethod eglot-execute-command (_server (_command (eql maclint.explain)) arguments)
+      (maclint-explain (elt arguments 0)))
+   t))
 
 ;;; Flycheck
 
@@ -130,7 +207,7 @@
          (warning line-start (file-name) ":" line ":" column ": warning[" (id (+ (not (any "]")))) "] " (message) line-end)
          (info line-start (file-name) ":" line ":" column ": note[" (id (+ (not (any "]")))) "] " (message) line-end))
         :predicate (lambda () buffer-file-name)
-        :modes (maclint-fanuc-mode maclint-dinplus-mode))
+        :modes (maclint-fanuc-mode maclint-dinplus-mode maclint-sinumerik-mode))
       (add-to-list 'flycheck-checkers 'maclint))
    t))
 

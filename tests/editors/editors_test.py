@@ -42,13 +42,23 @@ N1 G1 X#__la Z#__lb
 RETURN
 END
 """
+COVER = """%_N_COVER_MPF
+N10 G0 X5
+FOR R1=1 TO 3
+N20 G1 Z=-R1 F100
+IF R1==2 GOTOF NEXT
+NEXT:
+ENDFOR
+N30 M30
+"""
 # O9100.nc stands in letters: \u00dc is one, and two bytes.
 FINDINGS = [("O9100.nc", 3, 16, "error", "MAC303", "Jump into a loop: 'GOTO20' enters the loop"),
             ("O9100.nc", 5, 1, "warning", "MAC501", "Distance mode G91 is left to the caller."),
             ("lathe/shaft.nc", 8, 15, "warning", "DIN330", "Transfer value left out: #__lb is used here"),
             ("O9101", 3, 1, "error", "MAC301", "Missing sequence number: 'GOTO99' finds no N99")]
 TYPES = {"O9100.nc": "fanuc", "O9101": "fanuc", "O9102_TORUS": "fanuc", "a.tap": "fanuc", "a.cnc": "fanuc", "a.min": "fanuc", "a.NCD": "fanuc",
-         "a.eia": "fanuc", "empty.nc": "fanuc", "empty.ncs": "dinplus", "lathe/shaft.nc": "dinplus"}
+         "a.eia": "fanuc", "empty.nc": "fanuc", "empty.ncs": "dinplus", "cover.nc": "sinumerik",
+         "a.mpf": "sinumerik", "a.SPF": "sinumerik", "a.arc": "sinumerik", "a.cpf": "sinumerik", "a.def": "sinumerik", "lathe/shaft.nc": "dinplus"}
 
 
 class EditorTest(unittest.TestCase):
@@ -60,7 +70,7 @@ class EditorTest(unittest.TestCase):
         base = pathlib.Path(held.name).resolve()
         self.folder = base / "programs with blanks"
         for name in TYPES:
-            text = SHAFT if name == "lathe/shaft.nc" else "" if "empty" in name else LOOP
+            text = SHAFT if name == "lathe/shaft.nc" else "" if "empty" in name else COVER if TYPES[name] == "sinumerik" else LOOP
             path = self.folder / name
             path.parent.mkdir(parents=True, exist_ok=True)
             path.write_text("%\nO9101\nGOTO99\nM30\n%\n" if name == "O9101" else text, encoding="utf-8")
@@ -139,7 +149,13 @@ class VimTest(VimRunner):
                 told = self.told_by(editor, [f"edit {name}\ncall add(out, ['{name}', &filetype])" for name in TYPES])
                 self.assertEqual(dict(told), TYPES)
                 other = self.told_by(editor, ["edit O12.txt", "call add(out, &filetype)", "edit OLD", "call add(out, &filetype)"])
-                self.assertFalse({"fanuc", "dinplus"} & set(other))
+                self.assertFalse({"fanuc", "dinplus", "sinumerik"} & set(other))
+
+    def test_a_linker_s_definitions_are_no_program(self):
+        (self.folder / "dll.def").write_text("; of a library\nLIBRARY SHAFT\nEXPORTS\n")
+        for editor in self.editors():
+            with self.subTest(editor):
+                self.assertNotIn("sinumerik", self.told_by(editor, ["edit dll.def", "call add(out, &filetype)"]))
 
     def test_the_programs_of_the_corpus_have_theirs(self):
         programs = {str(path): path.relative_to(ROOT / "corpus").parts[0] for path in (ROOT / "corpus").rglob("*.nc*")}
@@ -154,6 +170,7 @@ class VimTest(VimRunner):
         for editor in self.editors():
             with self.subTest(editor):
                 self.assertEqual(self.told_by(editor, ["edit O9100.nc", levels]), [0, 0, 0, 1, 1, 2, 2, 2, 1, 1, 1, 0, 0])
+                self.assertEqual(self.told_by(editor, ["edit cover.nc", levels]), [0, 0, 1, 1, 1, 1, 1, 0])
                 self.assertEqual(self.told_by(editor, ["edit lathe/shaft.nc", ends]), [-1] * 10, "all is open at first")
                 self.assertEqual(self.told_by(editor, ["edit lathe/shaft.nc", "set foldlevel=0", ends]), [-1, 3, 3, 6, 6, 6, 9, 9, 9, -1])
 
@@ -164,7 +181,7 @@ class TreesInNeovimTest(VimRunner):
     def test_queries_are_taken(self):
         if not shutil.which("nvim") or not shutil.which("cc"):
             self.skipTest("there is no Neovim, or no C compiler for the parsers")
-        for language in ("fanuc", "dinplus"):
+        for language in ("fanuc", "dinplus", "sinumerik"):
             source = ROOT / "grammar" / language
             (self.base / "nvim/parser").mkdir(parents=True, exist_ok=True)
             subprocess.run(["cc", "-shared", "-fPIC", "-O0", "-I", str(source / "src"), str(source / "src/parser.c"), "-o",
@@ -185,12 +202,13 @@ function Counted()
   return counted
 end"""
         (self.base / "counted.lua").write_text(lua)
-        script = [f"luafile {self.base}/counted.lua", "for name in ['O9100.nc', 'lathe/shaft.nc']", "  execute 'edit' name",
+        script = [f"luafile {self.base}/counted.lua", "for name in ['O9100.nc', 'lathe/shaft.nc', 'cover.nc']", "  execute 'edit' name",
                   "  call add(out, luaeval('Counted()'))", "endfor", "call add(out, has('nvim-0.9'))"]
-        fanuc, dinplus, has_colours = self.told_by("nvim", [f"set runtimepath^={self.base}/nvim", *script])
+        fanuc, dinplus, sinumerik, has_colours = self.told_by("nvim", [f"set runtimepath^={self.base}/nvim", *script])
         self.assertEqual((fanuc["keyword.repeat"], fanuc["label"], fanuc["local.definition"], fanuc["fold"]), (6, 2, 2, 1))
         self.assertEqual((dinplus["keyword.directive"], dinplus["label"], dinplus["reference.call"]), (4, 3, 1))
-        self.assertEqual((fanuc["colours"], dinplus["colours"]), (has_colours, has_colours))
+        self.assertEqual((sinumerik["keyword.repeat"], sinumerik["label"]), (3, 5))
+        self.assertEqual((fanuc["colours"], dinplus["colours"], sinumerik["colours"]), (has_colours, has_colours, has_colours))
 
 
 class EmacsTest(EditorTest):

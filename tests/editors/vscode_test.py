@@ -20,7 +20,7 @@ MACLINT = os.environ.get("MACLINT")
 PROGRAMS = {"fanuc": ("%\nO9101\nGOTO99\nM30\n%\n", "MAC301"),
             "dinplus": ('PROGRAM HEAD\n#UNIT METRIC\nMACHINING\nN10 L"CHAMFER" LA40\nN20 M30\nSUBPROGRAM "CHAMFER"\nN1 G1 X#__la Z#__lb\nRETURN\nEND\n',
                         "DIN330"),
-            "sinumerik": ("N10 G0 X5\nN20 GOTOF NOWHERE\nN30 M30\n", "MAC301")}
+            "sinumerik": ("%_N_COVER_MPF\nN10 G0 X5\nN20 GOTOF NOWHERE\nN30 M30\n", "MAC301")}
 
 
 def node_is_there():
