@@ -1,0 +1,2 @@
+; Remarks, for editors that mark TODO and addresses in them.
+([(comment) (unclosed_comment)] @injection.content (#set! injection.language "comment"))
