@@ -35,9 +35,9 @@ constexpr std::array<Choice<ShellScript>, 3> shells{
 struct Words {
     CheckWords check;
     std::string format = "text", docs_folder, codes_folder, alarms_file, rule, dialect = "auto", control,
-                colour = "auto", shell, about = "check", folder = ".", start, step;
+                colour = "auto", shell, about = "check", folder = ".", start, step, jobs;
     std::vector<std::string> files;
-    bool print = false, diff = false;
+    bool print = false, diff = false, stdio = false;
 };
 
 struct Command {
@@ -286,6 +286,13 @@ Request renumber_request(const Words& words) {
     return request;
 }
 
+void declare_lsp(CLI::App& app, Words& words) {
+    app.add_flag("--stdio", words.stdio, "What it does anyhow, for editors that say so");
+    app.add_option("--jobs", words.jobs, "Threads (default: one a core)")->type_name("N");
+}
+
+Request lsp_request(const Words& words) { return LspRequest{jobs_in(words.jobs)}; }
+
 void declare_completions(CLI::App& app, Words& words) {
     app.add_option("SHELL", words.shell, "bash, zsh or fish")->type_name("");
 }
@@ -338,12 +345,14 @@ constexpr std::array<HelpExample, 2> init_examples{
 constexpr std::array<HelpExample, 2> renumber_examples{
     {{"maclint renumber --diff O9100.nc", "What would change: numbers of blocks, jumps, P and Q of cycles."},
      {"maclint renumber O9100.nc --start 100 --step 5", "N100, N105, N110 and so on."}}};
+constexpr std::array<HelpExample, 1> lsp_examples{
+    {{"maclint lsp", "What editors start; docs/lsp.md says how they are told."}}};
 constexpr std::array<HelpExample, 1> completions_examples{
     {{"maclint completions bash > ~/.local/share/bash-completion/completions/maclint",
       "Where bash looks for them."}}};
 
 std::span<const Command> commands() {
-    static constexpr std::array<Command, 10> all{
+    static constexpr std::array<Command, 11> all{
         {{"check", "[PATH...]", "Lint files and folders", "", declare_check_command, check_command,
           check_examples},
          {"rules", "", "List the rules", "The list of rules.", declare_rules, rules_request, rules_examples},
@@ -359,6 +368,9 @@ std::span<const Command> commands() {
           "Numbers the blocks that have a number, with jumps, returns and cycles that name them; comments "
           "and all else stay. A program in which that is not safe is left as it is.",
           declare_renumber, renumber_request, renumber_examples},
+         {"lsp", "", "Serve editors: findings while typing, fixes, definitions, symbols",
+          "A language server (LSP 3.17) that editors start and talk to over standard input and output.",
+          declare_lsp, lsp_request, lsp_examples},
          {"completions", "SHELL", "Print what bash, zsh or fish need to complete maclint's words",
           "A script on standard output that lets a shell complete maclint's words.", declare_completions,
           completions_request, completions_examples},

@@ -100,6 +100,10 @@ struct RenumberRequest {
     bool diff = false; ///< show what would change, and change nothing
 };
 
+struct LspRequest {
+    unsigned jobs = 1; ///< threads of the engine
+};
+
 /// Text to be printed instead of doing anything: help, version.
 struct PrintRequest {
     std::string text;
@@ -110,7 +114,7 @@ struct UsageError {
 };
 
 using Request = std::variant<CheckRequest, RulesRequest, ExplainRequest, ControlsRequest, InitRequest,
-                             RenumberRequest, PrintRequest, UsageError>;
+                             RenumberRequest, LspRequest, PrintRequest, UsageError>;
 
 /// `arguments` without the program's name.
 [[nodiscard]] Request read_command_line(std::vector<std::string> arguments);

@@ -45,6 +45,12 @@ void Progress::begin(std::string_view phase, std::size_t steps) {
     done_ = 0;
 }
 
+void Progress::tell(std::size_t done) const {
+    constexpr std::size_t parts = 20, percent = 100;
+    if (steps_ == 0 || done * parts / steps_ == (done - 1) * parts / steps_) return;
+    watcher_(phase_, done * percent / steps_);
+}
+
 void Progress::show_until_stopped() {
     std::unique_lock lock(mutex_);
     const auto is_stopped_after = [&](auto time) {

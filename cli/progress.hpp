@@ -6,9 +6,11 @@
 #include <atomic>
 #include <condition_variable>
 #include <cstddef>
+#include <functional>
 #include <mutex>
 #include <optional>
 #include <string_view>
+#include <utility>
 
 namespace maclint::cli {
 
@@ -24,10 +26,18 @@ class Progress {
 
     /// `phase`: "reading"; of static lifetime. 0 steps: nobody counts.
     void begin(std::string_view phase, std::size_t steps);
-    void step() { ++done_; }
+    void step() {
+        const std::size_t done = ++done_;
+        if (watcher_) tell(done);
+    }
+
+    /// Who wants to know it, too, each time when some more percent are done; called by those who step.
+    using Watcher = std::function<void(std::string_view phase, std::size_t percent)>;
+    void watch(Watcher watcher) { watcher_ = std::move(watcher); }
 
   private:
     void show_until_stopped();
+    void tell(std::size_t done) const;
 
     std::mutex mutex_;
     std::condition_variable stopped_;
@@ -35,6 +45,7 @@ class Progress {
     std::string_view phase_;
     std::size_t steps_ = 0;
     std::atomic<std::size_t> done_{0};
+    Watcher watcher_;
     bool visible_ = false;
     std::optional<platform::Thread> ticker_; ///< none: nothing is shown
 };

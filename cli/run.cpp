@@ -21,6 +21,7 @@ int do_request(const Request& request) {
                                  [](const ControlsRequest& controls) { return run_controls(controls); },
                                  [](const InitRequest& init) { return run_init(init); },
                                  [](const RenumberRequest& renumber) { return run_renumber(renumber); },
+                                 [](const LspRequest& lsp) { return run_lsp(lsp); },
                                  [](const PrintRequest& print) { return print_text(print.text); },
                                  [](const UsageError& error) {
                                      print_error(error.message);

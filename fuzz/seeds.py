@@ -3,6 +3,7 @@
 
 usage: seeds.py FOLDER [SHARED]   writes FOLDER/seeds/TARGET/* and FOLDER/words.dict
 """
+import json
 import pathlib
 import random
 import re
@@ -64,6 +65,27 @@ def configurations():
     return [one.encode() for one in raw]
 
 
+def sessions():
+    """Messages of a language client, framed: each alone, and all in a row."""
+    text = {"textDocument": {"uri": "untitled:O1.nc", "languageId": "fanuc", "version": 1, "text": "O1\nGOTO9\nM30\n"}}
+    part = {"range": {"start": {"line": 1, "character": 0}, "end": {"line": 1, "character": 4}}, "text": "X"}
+    messages = [
+        {"id": 1, "method": "initialize", "params": {"capabilities": {"general": {"positionEncodings": ["utf-8"]}}}},
+        {"method": "initialized", "params": {}},
+        {"method": "textDocument/didOpen", "params": text},
+        {"method": "textDocument/didChange", "params": {"textDocument": {"uri": "untitled:O1.nc", "version": 2}, "contentChanges": [part]}},
+        {"id": 2, "method": "textDocument/codeAction", "params": {"textDocument": {"uri": "untitled:O1.nc"}, "range": part["range"]}},
+        {"id": 3, "method": "workspace/executeCommand", "params": {"command": "maclint.explain", "arguments": ["MAC301"]}},
+        {"method": "$/cancelRequest", "params": {"id": 3}},
+        {"method": "textDocument/didClose", "params": {"textDocument": {"uri": "untitled:O1.nc"}}},
+        {"id": 4, "method": "shutdown", "params": None},
+        {"method": "exit"},
+    ]
+    bodies = [json.dumps({"jsonrpc": "2.0", **message}).encode() for message in messages]
+    framed = [b"Content-Length: %d\r\n\r\n%s" % (len(body), body) for body in bodies]
+    return [*framed, b"".join(framed), b"Content-Length: x\r\n\r\n" + framed[0]]
+
+
 def words():
     """Strings of the grammars, the tables and the readers of directives and configurations."""
     sources = [
@@ -99,6 +121,7 @@ def main():
     for target, languages in TEXTS.items():
         write(folder / "seeds" / target, [text for language in languages for text in texts[language]])
     write(folder / "seeds/configuration", configurations())
+    write(folder / "seeds/lsp_reader", sessions())
     dice = random.Random(1)
     write(folder / "seeds/executor", [dice.randbytes(200 + 20 * i) for i in range(60)])
     (folder / "words.dict").write_text("".join(f'"{escaped(word)}"\n' for word in words()), encoding="ascii")

@@ -11,5 +11,6 @@ namespace maclint::cli {
 [[nodiscard]] int run_controls(const ControlsRequest& request);
 [[nodiscard]] int run_init(const InitRequest& request);
 [[nodiscard]] int run_renumber(const RenumberRequest& request);
+[[nodiscard]] int run_lsp(const LspRequest& request);
 
 } // namespace maclint::cli

@@ -1,9 +1,9 @@
 //! `maclint renumber`: numbers the blocks of programs anew, with all that names them.
+#include "cli/renumber/connected_programs.hpp"
 #include "cli/renumber/renumber.hpp"
 
 #include "analyzer/source/platform/files.hpp"
 #include "analyzer/source/platform/paths.hpp"
-#include "analyzer/workspace/outline.hpp"
 #include "cli/commands/commands.hpp"
 #include "cli/engine/read.hpp"
 #include "cli/fix/edited_text.hpp"
@@ -16,7 +16,6 @@
 #include <algorithm>
 #include <iterator>
 #include <optional>
-#include <set>
 #include <utility>
 
 namespace maclint::cli {
@@ -50,55 +49,14 @@ class Renumbering {
         const ReadFile read = read_whole(file);
         if (read.notice) throw NotRenumbered{*read.notice};
         if (read.file == nullptr || read.not_nc) leave(path, "is no program that maclint knows.");
-        const auto others = connected(snapshot_of(std::move(around.files), settings_), *read.file);
+        const auto others = connected_programs(snapshot_of(std::move(around.files), settings_), *read.file, store_);
         return with_new_numbers(file, read, others);
     }
 
   private:
-    using Files = std::vector<std::shared_ptr<const ProgramFile>>;
+    ReadFile read_whole(const SnapshotFile& file) { return open_and_read(file, Extent::whole, store_); }
 
-    ReadFile read_whole(const SnapshotFile& file) { return read_as_far(file, Extent::whole); }
-
-    ReadFile read_as_far(const SnapshotFile& file, Extent extent) {
-        auto opened = open_file(file);
-        if (auto* notice = std::get_if<Notice>(&opened)) return ReadFile{.notice = std::move(*notice)};
-        return read_source(file, std::make_shared<const Source>(std::get<Source>(std::move(opened))), extent,
-                           store_);
-    }
-
-    /// Those that the file's programs call, or that call them.
-    Files connected(const Snapshot& around, const ProgramFile& file) {
-        const auto numbers = numbers_of(outline_of(file)), called = calls_of(outline_of(file));
-        Files files;
-        for (const SnapshotFile& other : around.files) {
-            if (other.input.path == file.source->path()) continue;
-            const ReadFile glance = read_as_far(other, Extent::names_and_calls);
-            if (glance.file == nullptr || glance.not_nc) continue;
-            const FileOutline outline = outline_of(*glance.file);
-            if (!meet(numbers_of(outline), called) && !meet(calls_of(outline), numbers)) continue;
-            if (auto whole = read_whole(other); whole.file != nullptr) files.push_back(std::move(whole.file));
-        }
-        return files;
-    }
-
-    static std::set<std::int64_t> numbers_of(const FileOutline& outline) {
-        std::set<std::int64_t> numbers;
-        for (const ProgramOutline& program : outline.programs)
-            if (program.number) numbers.insert(*program.number);
-        return numbers;
-    }
-    static std::set<std::int64_t> calls_of(const FileOutline& outline) {
-        std::set<std::int64_t> numbers;
-        for (const ProgramOutline& program : outline.programs)
-            for (const CallOutline& call : program.calls)
-                if (const auto* number = std::get_if<std::int64_t>(&call.program)) numbers.insert(*number);
-        return numbers;
-    }
-    static bool meet(const std::set<std::int64_t>& some, const std::set<std::int64_t>& others) {
-        return std::ranges::any_of(some, [&](std::int64_t number) { return others.contains(number); });
-    }
-
-    FixedFile with_new_numbers(const SnapshotFile& file, const ReadFile& read, const Files& others) {
+    FixedFile with_new_numbers(const SnapshotFile& file, const ReadFile& read, const std::vector<std::shared_ptr<const ProgramFile>>& others) {
         const std::string& path = file.input.path;
         std::vector<const ProgramFile*> near;
         for (const auto& other : others) near.push_back(other.get());

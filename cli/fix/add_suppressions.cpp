@@ -4,7 +4,7 @@
 
 #include "analyzer/dialect/dialect.hpp"
 #include "cli/config/rule_words.hpp"
-#include "cli/text/letters.hpp"
+#include "cli/fix/allowing_comment.hpp"
 
 #include <algorithm>
 #include <map>
@@ -93,7 +93,7 @@ class Allowances {
         if (dialect == nullptr) return;
         const Span line = at.source->line_span(at.line);
         std::string_view text = at.source->bytes(line);
-        const std::string own = comment_of(*dialect, wanted.codes);
+        const std::string own = allowing_comment(*dialect, wanted.codes, reason_);
         const std::size_t here = text.find(own);
         const bool was_here = here != std::string_view::npos;
         const auto before = at.line > 1 ? at.source->line_span(at.line - 1) : Span{};
@@ -128,24 +128,6 @@ class Allowances {
                             "line " + std::to_string(line) + ": no comment there allows " + codes +
                                 ". Write ALLOW-FILE at the head of the program, or 'per-file-ignores' in the "
                                 "configuration."});
-    }
-
-    /// Before the mark that ends a block and blanks.
-    static std::size_t end_of_words(std::string_view text) {
-        std::size_t end = text.find_last_not_of(line_blanks) + 1;
-        if (end > 0 && text[end - 1] == ';') --end;
-        while (end > 0 && line_blanks.find(text[end - 1]) != std::string_view::npos) --end;
-        return end;
-    }
-
-    /// In capitals where the language has no small letters in its comments.
-    [[nodiscard]] std::string comment_of(const Dialect& dialect,
-                                         const std::vector<std::string>& codes) const {
-        std::string text = "MACLINT ALLOW";
-        for (const std::string& code : codes) text += " " + code;
-        const bool has_capitals_alone = dialect.comment_open.starts_with('(');
-        text += " - " + (has_capitals_alone ? in_upper_case(reason_) : reason_);
-        return std::string(dialect.comment_open) + text + std::string(dialect.comment_close);
     }
 
     std::string reason_;

@@ -23,7 +23,6 @@ namespace maclint::cli {
 namespace {
 
 constexpr std::string_view default_stdin_name = "stdin.nc";
-constexpr unsigned most_jobs = 1024;
 
 void add_file(CLI::App& app, const std::string& option, std::string& word, const std::string& text) {
     app.add_option(option, word, text)->type_name("FILE");
@@ -387,6 +386,12 @@ void read_show_config(const CheckWords& words, CheckRequest& request) {
 
 } // namespace
 
+unsigned jobs_in(const std::string& word) {
+    constexpr unsigned most = 1024;
+    if (word.empty()) return std::max(1U, std::thread::hardware_concurrency());
+    return number("--jobs", word, 1U, most);
+}
+
 CheckRequest check_request(const CheckWords& words) {
     CheckRequest request;
     request.paths = words.paths.empty() ? std::vector<std::string>{"."} : words.paths;
@@ -397,8 +402,7 @@ CheckRequest check_request(const CheckWords& words) {
     read_show_config(words, request);
     request.show_files = words.show_files ? ShowFiles::yes : ShowFiles::no;
     request.stdin_name = words.stdin_name.empty() ? std::string(default_stdin_name) : words.stdin_name;
-    request.jobs = words.jobs.empty() ? std::max(1U, std::thread::hardware_concurrency())
-                                      : number("--jobs", words.jobs, 1U, most_jobs);
+    request.jobs = jobs_in(words.jobs);
     if (words.fail_on != "never") {
         request.fail_on = severity_named(words.fail_on);
         if (!request.fail_on) refuse_word("--fail-on", words.fail_on, fail_on_words());

@@ -28,6 +28,9 @@ struct CheckWords {
 
 void declare_check(CLI::App& check, CheckWords& words);
 
+/// Threads that `--jobs` asks for; empty: one a core.
+[[nodiscard]] unsigned jobs_in(const std::string& word);
+
 /// What they ask for; throws Refused where they make no sense.
 [[nodiscard]] CheckRequest check_request(const CheckWords& words);
 

@@ -1,0 +1,42 @@
+//! A row for each request.
+#include "cli/lsp/features/features.hpp"
+
+#include "cli/lsp/features/block_numbers.hpp"
+#include "cli/lsp/features/code_actions.hpp"
+#include "cli/lsp/features/commands.hpp"
+#include "cli/lsp/features/document_symbols.hpp"
+#include "cli/lsp/features/folding.hpp"
+
+#include <array>
+
+namespace maclint::cli::lsp {
+namespace {
+
+constexpr std::array<Method, 9> methods{{
+    {"textDocument/codeAction", code_actions},
+    {"textDocument/definition", definition},
+    {"textDocument/documentHighlight", document_highlight},
+    {"textDocument/documentSymbol", document_symbols},
+    {"textDocument/foldingRange", folding_ranges},
+    {"textDocument/prepareRename", prepare_rename},
+    {"textDocument/references", references},
+    {"textDocument/rename", rename},
+    {"workspace/executeCommand", execute_command},
+}};
+
+} // namespace
+
+std::span<const Method> feature_methods() { return methods; }
+
+Json feature_capabilities() {
+    return {{"codeActionProvider", {{"codeActionKinds", {"quickfix", "source.fixAll.maclint"}}}},
+            {"definitionProvider", true},
+            {"documentHighlightProvider", true},
+            {"documentSymbolProvider", true},
+            {"foldingRangeProvider", true},
+            {"referencesProvider", true},
+            {"renameProvider", {{"prepareProvider", true}}},
+            {"executeCommandProvider", {{"commands", command_names_of_server()}}}};
+}
+
+} // namespace maclint::cli::lsp
