@@ -1,5 +1,4 @@
 //! `maclint renumber`: numbers the blocks of programs anew, with all that names them.
-#include "cli/renumber/connected_programs.hpp"
 #include "cli/renumber/renumber.hpp"
 
 #include "analyzer/source/platform/files.hpp"
@@ -10,6 +9,7 @@
 #include "cli/fix/unified_difference.hpp"
 #include "cli/fix/write_fixed.hpp"
 #include "cli/input/discover.hpp"
+#include "cli/renumber/connected_programs.hpp"
 #include "cli/terminal.hpp"
 #include "cli/text/shown.hpp"
 
@@ -49,14 +49,16 @@ class Renumbering {
         const ReadFile read = read_whole(file);
         if (read.notice) throw NotRenumbered{*read.notice};
         if (read.file == nullptr || read.not_nc) leave(path, "is no program that maclint knows.");
-        const auto others = connected_programs(snapshot_of(std::move(around.files), settings_), *read.file, store_);
+        const auto others =
+            connected_programs(snapshot_of(std::move(around.files), settings_), *read.file, store_);
         return with_new_numbers(file, read, others);
     }
 
   private:
     ReadFile read_whole(const SnapshotFile& file) { return open_and_read(file, Extent::whole, store_); }
 
-    FixedFile with_new_numbers(const SnapshotFile& file, const ReadFile& read, const std::vector<std::shared_ptr<const ProgramFile>>& others) {
+    FixedFile with_new_numbers(const SnapshotFile& file, const ReadFile& read,
+                               const std::vector<std::shared_ptr<const ProgramFile>>& others) {
         const std::string& path = file.input.path;
         std::vector<const ProgramFile*> near;
         for (const auto& other : others) near.push_back(other.get());

@@ -72,13 +72,14 @@ void BlockLowering::check_taken(const Node& name) {
 }
 
 /// Whether the name of a file is the program's with something before or behind it that people add to files:
-/// the folder that it came from ("CMA__DRESS", "4711-DRESS"), or what marks a copy ("DRESS (2)", "DRESS-OLD").
-/// On the control it bears the program's name again.
+/// the folder that it came from ("CMA__DRESS", "4711-DRESS"), or what marks a copy ("DRESS (2)",
+/// "DRESS-OLD"). On the control it bears the program's name again.
 bool is_decorated(std::string_view file, std::string_view program) {
     constexpr std::string_view before = "_-. ";
     constexpr std::string_view behind = "-. (~";
     if (file.size() <= program.size()) return false;
-    if (file.ends_with(program)) return before.find(file[file.size() - program.size() - 1]) != std::string_view::npos;
+    if (file.ends_with(program))
+        return before.find(file[file.size() - program.size() - 1]) != std::string_view::npos;
     return file.starts_with(program) && behind.find(file[program.size()]) != std::string_view::npos;
 }
 

@@ -41,8 +41,9 @@ NumberSpaces safe_spaces(Session& session, const ReadText& text) {
     if (const auto* unsafe = std::get_if<UnsafeNumber>(&spaces)) {
         const std::uint32_t line = unsafe->source->position(unsafe->at.begin).line;
         const bool is_here = unsafe->source->path() == text.source().path();
-        throw ResponseError{ErrorCode::request_failed, (is_here ? "" : unsafe->source->path() + ", ") + "line " +
-                                                           std::to_string(line) + ": " + unsafe->why};
+        throw ResponseError{ErrorCode::request_failed, (is_here ? "" : unsafe->source->path() + ", ") +
+                                                           "line " + std::to_string(line) + ": " +
+                                                           unsafe->why};
     }
     return std::get<NumberSpaces>(std::move(spaces));
 }
@@ -57,7 +58,8 @@ NumberSpaces spaces_of(const ReadText& text) {
 std::optional<Pointed> pointed_at(const NumberSpaces& spaces, Offset at) {
     for (const NumberSpace& space : spaces) {
         for (std::size_t block = 0; block < space.blocks.size(); ++block)
-            if (touches(space.blocks[block].digits, at)) return Pointed{&space, block, space.blocks[block].digits};
+            if (touches(space.blocks[block].digits, at))
+                return Pointed{&space, block, space.blocks[block].digits};
         for (const BlockUse& use : space.uses)
             if (touches(use.written.digits, at)) return Pointed{&space, use.block, use.written.digits};
     }
@@ -70,7 +72,9 @@ struct Asking {
     NumberSpaces spaces;
     std::optional<Pointed> pointed;
 
-    [[nodiscard]] Json location(Span span) const { return {{"uri", text->uri}, {"range", text->lines.range(span)}}; }
+    [[nodiscard]] Json location(Span span) const {
+        return {{"uri", text->uri}, {"range", text->lines.range(span)}};
+    }
     [[nodiscard]] Span declared() const { return pointed->space->blocks[pointed->block].digits; }
     /// The digits of the words that name it.
     [[nodiscard]] std::vector<Span> uses() const {
@@ -96,7 +100,8 @@ std::int64_t number_in(const std::string& name) {
     std::int64_t number = 0;
     const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), number);
     if (error != std::errc() || end != digits.data() + digits.size() || number < 1 || number > largest_number)
-        throw ResponseError{ErrorCode::invalid_params, "'" + name + "' is no number of a block. Write one from 1 to " +
+        throw ResponseError{ErrorCode::invalid_params, "'" + name +
+                                                           "' is no number of a block. Write one from 1 to " +
                                                            std::to_string(largest_number) + "."};
     return number;
 }
@@ -116,7 +121,8 @@ Json references(Session& session, const Json& params) {
     const Asking asking = asked(session, params);
     Json found = Json::array();
     if (!asking.pointed) return found;
-    if (is_true(params, {"context", "includeDeclaration"})) found.push_back(asking.location(asking.declared()));
+    if (is_true(params, {"context", "includeDeclaration"}))
+        found.push_back(asking.location(asking.declared()));
     for (const Span use : asking.uses()) found.push_back(asking.location(use));
     return found;
 }
@@ -138,7 +144,8 @@ Json prepare_rename(Session& session, const Json& params) {
 Json rename(Session& session, const Json& params) {
     const std::int64_t number = number_in(string_in(params, "newName"));
     Asking asking = asked(session, params);
-    if (!asking.pointed) throw ResponseError{ErrorCode::request_failed, "There is no number of a block here."};
+    if (!asking.pointed)
+        throw ResponseError{ErrorCode::request_failed, "There is no number of a block here."};
     asking.spaces = safe_spaces(session, *asking.text);
     asking.pointed = pointed_at(asking.spaces, asking.pointed->digits.begin);
     const auto has_number = [&](const WrittenNumber& written) { return written.number == number; };
@@ -147,8 +154,9 @@ Json rename(Session& session, const Json& params) {
         throw ResponseError{ErrorCode::request_failed,
                             "A block has the number " + std::to_string(number) + " already. Take another."};
     if (std::ranges::any_of(space.without_block, has_number))
-        throw ResponseError{ErrorCode::request_failed, "A word names the number " + std::to_string(number) +
-                                                           ", which no block has: it would lead here. Take another."};
+        throw ResponseError{ErrorCode::request_failed,
+                            "A word names the number " + std::to_string(number) +
+                                ", which no block has: it would lead here. Take another."};
     std::vector<Edit> edits{edit_of(*asking.text, asking.declared(), number)};
     for (const Span use : asking.uses()) edits.push_back(edit_of(*asking.text, use, number));
     std::ranges::sort(edits, {}, [](const Edit& edit) { return edit.span.begin; });
@@ -161,9 +169,11 @@ Json renumber(Session& session, const Json& arguments) {
     Numbering numbering;
     const auto take = [&](std::size_t place, std::int64_t& number) {
         if (arguments.size() <= place) return;
-        if (!arguments[place].is_number_integer() || arguments[place] < 1 || arguments[place] > largest_number)
-            throw ResponseError{ErrorCode::invalid_params, "'maclint.renumber' needs whole numbers from 1 on for "
-                                                           "its start and its step."};
+        if (!arguments[place].is_number_integer() || arguments[place] < 1 ||
+            arguments[place] > largest_number)
+            throw ResponseError{ErrorCode::invalid_params,
+                                "'maclint.renumber' needs whole numbers from 1 on for "
+                                "its start and its step."};
         number = arguments[place].get<std::int64_t>();
     };
     take(1, numbering.start);
@@ -171,7 +181,8 @@ Json renumber(Session& session, const Json& arguments) {
     const Document& document = session.documents.at(arguments.front().get_ref<const std::string&>());
     const auto text = session.reader.read(document, session.client.encoding);
     if (text == nullptr)
-        throw ResponseError{ErrorCode::request_failed, "This is no program that maclint knows. It is left as it was."};
+        throw ResponseError{ErrorCode::request_failed,
+                            "This is no program that maclint knows. It is left as it was."};
     const NumberSpaces spaces = safe_spaces(session, *text);
     auto edits = renumbering_of(text->programs().source, spaces, numbering);
     if (const auto* unsafe = std::get_if<UnsafeNumber>(&edits))
