@@ -69,7 +69,7 @@ TEST(CommandList, KnowsTheCommandsThatTheHelpNames) {
     const std::string help = printed({"--help"});
     for (const CommandText& command : command_list())
         EXPECT_THAT(help, HasSubstr(command.name == "check" ? "maclint [check]" : "maclint " + command.name));
-    EXPECT_THAT(command_list(), SizeIs(10U));
+    EXPECT_THAT(command_list(), SizeIs(11U));
 }
 
 TEST(CommandList, NamesTheWordsThatAnOptionTakesAndNoOther) {
