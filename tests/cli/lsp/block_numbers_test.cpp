@@ -57,16 +57,16 @@ TEST_F(LspBlockNumbers, AreNamedByAllJumpsToThem) {
     Json params = at(5, 2);
     params["context"] = {{"includeDeclaration", false}};
     EXPECT_THAT(ranges(session.result("textDocument/references", params)),
-                ElementsAre("2:14-2:16", "4:4-4:6"));
+                ElementsAre("2:13-2:15", "4:4-4:6"));
     EXPECT_THAT(ranges(session.result("textDocument/documentHighlight", at(5, 2))),
-                ElementsAre("5:1-5:3", "2:14-2:16", "4:4-4:6"));
+                ElementsAre("5:1-5:3", "2:13-2:15", "4:4-4:6"));
 }
 
 TEST_F(LspBlockNumbers, ChangeTogetherWithTheJumps) {
     open(jumps);
     EXPECT_EQ(shown(session.result("textDocument/prepareRename", at(4, 5))), "4:4-4:6");
     EXPECT_THAT(edits(renamed(4, 5, "N60")["result"]),
-                ElementsAre("2:14-2:16 60", "4:4-4:6 60", "5:1-5:3 60"));
+                ElementsAre("2:13-2:15 60", "4:4-4:6 60", "5:1-5:3 60"));
 }
 
 TEST_F(LspBlockNumbers, TakeNoNumberThatAnotherBlockHasAndNoWord) {
@@ -98,7 +98,7 @@ TEST_F(LspBlockNumbers, AreWrittenAnewFromAStartByAStep) {
     const Json edit =
         session.result("workspace/executeCommand",
                        {{"command", "maclint.renumber"}, {"arguments", {session.uri("O1.nc"), 100, 10}}});
-    EXPECT_THAT(edits(edit), ElementsAre("2:14-2:16 100", "4:4-4:6 100", "5:1-5:3 100"));
+    EXPECT_THAT(edits(edit), ElementsAre("2:13-2:15 100", "4:4-4:6 100", "5:1-5:3 100"));
     const Json refused = session.ask("workspace/executeCommand", {{"command", "maclint.renumber"},
                                                                   {"arguments", {session.uri("O1.nc"), 0}}});
     EXPECT_THAT(refused["error"]["message"].get<std::string>(), HasSubstr("whole numbers from 1 on"));
