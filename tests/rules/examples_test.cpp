@@ -164,8 +164,11 @@ TEST(Registry, ListsRulesOnceAndInTheOrderOfTheirCodes) {
         EXPECT_EQ(find_rule(rule->name), rule);
     }
     auto sorted = codes;
-    std::ranges::sort(sorted, {},
-                      [](const std::string& code) { return std::pair(code.starts_with("DIN"), code); });
+    const auto family = [](std::string_view code) {
+        return std::string_view("MAC DIN SIN").find(code.substr(0, 3));
+    };
+    std::ranges::sort(
+        sorted, {}, [&](const std::string& code) { return std::pair(family(code), std::string_view(code)); });
     EXPECT_EQ(codes, sorted);
     EXPECT_EQ(std::ranges::adjacent_find(sorted), sorted.end());
 }
