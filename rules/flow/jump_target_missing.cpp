@@ -50,8 +50,8 @@ IF[#100EQ1]GOTO70
 N7 M30
 )nc"},
             {"sinumerik", R"nc(
-READY: G0 X100
-IF R1==1 GOTOF READY
+READY: R1=R1+1
+IF R1<5 GOTOF READY
 )nc"}},
     .good = {{"fanuc", R"nc(
 O9301(CHECK)
