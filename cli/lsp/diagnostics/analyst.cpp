@@ -2,6 +2,7 @@
 //! has typed in between.
 #include "cli/lsp/diagnostics/analyst.hpp"
 
+#include "analyzer/source/platform/kept_by_thread.hpp"
 #include "cli/gate/gate.hpp"
 #include "cli/lsp/diagnostics/diagnostic.hpp"
 #include "cli/report/uri.hpp"
@@ -54,7 +55,11 @@ void Analyst::start(PositionEncoding encoding, bool shows_progress) {
         progress_.watch(
             [this](std::string_view phase, std::size_t percent) { shown_progress_->report(phase, percent); });
     }
-    if (auto thread = platform::Thread::start([this] { work(); })) thread_.emplace(*std::move(thread));
+    if (auto thread = platform::Thread::start([this] {
+            const platform::ThreadWork keeps;
+            work();
+        }))
+        thread_.emplace(*std::move(thread));
     if (!thread_)
         outbox_.show_once("maclint: there is no memory for a thread, so nothing is analysed. Close other "
                           "programs and start again.");
