@@ -74,12 +74,7 @@ class Renumbering {
 
     template<class Value>
     static Value checked(const std::string& path, std::variant<Value, UnsafeNumber> made) {
-        if (const auto* unsafe = std::get_if<UnsafeNumber>(&made)) {
-            const std::uint32_t line = unsafe->source->position(unsafe->at.begin).line;
-            const std::string& holder = unsafe->source->path();
-            leave(path, (holder == path ? "" : shown(holder) + " ") + "line " + std::to_string(line) + ": " +
-                            unsafe->why);
-        }
+        if (const auto* unsafe = std::get_if<UnsafeNumber>(&made)) leave(path, reason_of(*unsafe, path));
         return std::get<Value>(std::move(made));
     }
 

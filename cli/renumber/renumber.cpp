@@ -1,6 +1,8 @@
 //! Counts from the top; what names a block gets the number that this has got.
 #include "cli/renumber/renumber.hpp"
 
+#include "cli/text/shown.hpp"
+
 #include <algorithm>
 #include <optional>
 #include <string>
@@ -72,6 +74,12 @@ renumbering_of(const std::shared_ptr<const Source>& source, const NumberSpaces& 
     std::erase_if(edits, [&](const Edit& edit) { return source->bytes(edit.span) == edit.text; });
     std::ranges::sort(edits, {}, [](const Edit& edit) { return edit.span.begin; });
     return edits;
+}
+
+std::string reason_of(const UnsafeNumber& unsafe, std::string_view path) {
+    const std::string& holder = unsafe.source->path();
+    const std::uint32_t line = unsafe.source->position(unsafe.at.begin).line;
+    return (holder == path ? "" : shown(holder) + " ") + "line " + std::to_string(line) + ": " + unsafe.why;
 }
 
 bool name_the_same_blocks(const NumberSpaces& before, const NumberSpaces& after) {

@@ -1,5 +1,5 @@
 //! MAC472: a call gives more arguments than the program takes, or a value where it takes a variable.
-#include "analyzer/queries/calls/callers.hpp"
+#include "analyzer/queries/calls/given_arguments.hpp"
 #include "analyzer/workspace/program_analysis.hpp"
 #include "rules/path.hpp"
 #include "rules/rule.hpp"
@@ -73,33 +73,27 @@ bool is_value(const Program& program, ExpressionId id) {
     return std::holds_alternative<Literal>(node) || std::holds_alternative<Text>(node) || calculated;
 }
 
-void check_call(const ProgramAnalysis& analysis, const CallSite& site, const Program& called,
-                Reporter& reporter) {
-    const Program& program = analysis.program();
-    const auto& call = std::get<Call>(program.effects[site.effect].what);
-    for (const Argument& argument : program.arguments_of(call)) {
-        const auto* place = std::get_if<ArgumentPosition>(&argument.given);
-        if (place == nullptr) continue;
-        const std::string number = std::to_string(place->number + 1);
-        if (place->number >= called.formals.size()) {
-            reporter.report(
-                {analysis, site.effect}, argument.span, "too-many",
-                {quoted(program, argument.span), number, called.name, std::to_string(called.formals.size())});
-            return;
-        }
-        const bool wanted = called.formals[place->number].passing == Passing::by_reference;
-        if (wanted && is_value(program, argument.value))
-            reporter.report({analysis, site.effect}, argument.span, "no-variable",
-                            {quoted(program, argument.span), number, called.name});
-    }
-}
-
 void check(const ProgramAnalysis& analysis, Reporter& reporter) {
-    for (const CallSite& site : analysis.calls()) {
-        const ProgramAnalysis* called = queries::called_program(analysis, site);
-        if (called == nullptr || called->program().definition.empty()) continue; // it has no PROC line
-        check_call(analysis, site, called->program(), reporter);
-    }
+    const Program& program = analysis.program();
+    queries::for_each_known_call(analysis, [&](const CallSite& site, const Call& call, const auto& analysed) {
+        const Program& called = analysed.program();
+        if (called.definition.empty()) return; // it has no PROC line
+        for (const Argument& argument : program.arguments_of(call)) {
+            const auto* place = std::get_if<ArgumentPosition>(&argument.given);
+            if (place == nullptr) continue;
+            const std::string number = std::to_string(place->number + 1);
+            if (place->number >= called.formals.size()) {
+                reporter.report({analysis, site.effect}, argument.span, "too-many",
+                                {quoted(program, argument.span), number, called.name,
+                                 std::to_string(called.formals.size())});
+                return;
+            }
+            const bool wanted = called.formals[place->number].passing == Passing::by_reference;
+            if (wanted && is_value(program, argument.value))
+                reporter.report({analysis, site.effect}, argument.span, "no-variable",
+                                {quoted(program, argument.span), number, called.name});
+        }
+    });
 }
 
 } // namespace

@@ -1,5 +1,6 @@
 //! SIN411: a drilling or milling cycle while radius compensation is in force.
 #include "analyzer/dataflow/facts/point_state.hpp"
+#include "analyzer/dialect/ascii.hpp"
 #include "analyzer/queries/calls/callers.hpp"
 #include "rules/rule.hpp"
 #include "rules/sinumerik/under_compensation.hpp"
@@ -67,14 +68,10 @@ bool calls_cycle(const ProgramAnalysis& analysis, EffectId id) {
     const auto* call = std::get_if<Call>(&program.effects[id].what);
     const auto* written = call == nullptr ? nullptr : std::get_if<Text>(&call->program);
     if (written == nullptr) return false;
-    std::string name(program.slice(written->characters));
-    std::ranges::transform(name, name.begin(), [](char c) {
-        return c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c;
-    });
+    const std::string name = in_capitals(program.slice(written->characters));
     if (!std::ranges::binary_search(cycles, std::string_view(name))) return false;
-    const auto& calls = analysis.calls();
-    const auto site = std::ranges::find(calls, id, &CallSite::effect);
-    return site == calls.end() || site->candidates == 0;
+    const CallSite* site = analysis.call_at(id);
+    return site == nullptr || site->candidates == 0;
 }
 
 void check(const ProgramAnalysis& analysis, Reporter& reporter) {

@@ -209,6 +209,10 @@ TEST(SinumerikNames, OneLetterOffAreTold) {
 TEST(SinumerikNames, AreThoseOfTheFile) {
     EXPECT_THAT(findings("SIN408", "%_N_SLOT_SPF\nPROC _N_SLOT_SPF\nM17\n"), IsEmpty());
     EXPECT_THAT(findings("SIN408", "%_N_SLOT_SPF\nPROC GROOVE\nM17\n"), SizeIs(1));
+    EXPECT_THAT(findings("SIN408", "%_N_CMA__DRESS_SPF\nPROC DRESS\nM17\n"),
+                IsEmpty()); // a folder's name before it
+    EXPECT_THAT(findings("SIN408", "%_N_UNDRESS_SPF\nPROC DRESS\nM17\n"), SizeIs(1));
+    EXPECT_THAT(findings("SIN408", "%_N_DRESS_N_SPF\nPROC DRESS\nM17\n"), SizeIs(1)); // another program
     EXPECT_THAT(findings("SIN408", "PROC GROOVE\nM17\n"),
                 IsEmpty()); // the text has no name as the control has
     EXPECT_THAT(findings("SIN201", "INI[2] \xE5\xB7\xA5\nDEF INT ROW\nM30\n"), IsEmpty());

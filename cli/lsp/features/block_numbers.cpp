@@ -5,7 +5,6 @@
 #include "cli/lsp/features/workspace_edit.hpp"
 #include "cli/renumber/connected_programs.hpp"
 #include "cli/renumber/renumber.hpp"
-#include "rules/path.hpp"
 
 #include <algorithm>
 #include <charconv>
@@ -38,13 +37,8 @@ NumberSpaces safe_spaces(Session& session, const ReadText& text) {
     std::vector<const ProgramFile*> near;
     for (const auto& other : others) near.push_back(other.get());
     auto spaces = number_spaces(text.programs(), near);
-    if (const auto* unsafe = std::get_if<UnsafeNumber>(&spaces)) {
-        const std::uint32_t line = unsafe->source->position(unsafe->at.begin).line;
-        const bool is_here = unsafe->source->path() == text.source().path();
-        throw ResponseError{ErrorCode::request_failed, (is_here ? "" : unsafe->source->path() + ", ") +
-                                                           "line " + std::to_string(line) + ": " +
-                                                           unsafe->why};
-    }
+    if (const auto* unsafe = std::get_if<UnsafeNumber>(&spaces))
+        throw ResponseError{ErrorCode::request_failed, reason_of(*unsafe, text.source().path())};
     return std::get<NumberSpaces>(std::move(spaces));
 }
 
@@ -186,8 +180,7 @@ Json renumber(Session& session, const Json& arguments) {
     const NumberSpaces spaces = safe_spaces(session, *text);
     auto edits = renumbering_of(text->programs().source, spaces, numbering);
     if (const auto* unsafe = std::get_if<UnsafeNumber>(&edits))
-        throw ResponseError{ErrorCode::request_failed,
-                            line_number(text->programs(), unsafe->at.begin) + ": " + unsafe->why};
+        throw ResponseError{ErrorCode::request_failed, reason_of(*unsafe, text->source().path())};
     return workspace_edit(session, std::get<std::vector<Edit>>(edits));
 }
 

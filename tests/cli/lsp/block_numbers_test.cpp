@@ -90,7 +90,7 @@ TEST_F(LspBlockNumbers, StayWhereAComputedJumpMayNameThem) {
 TEST_F(LspBlockNumbers, StayWhereAnotherFileNamesThem) {
     session.folder.write("O2.nc", "%\nO2\nM98P1Q50\nM30\n%\n");
     open(jumps);
-    EXPECT_THAT(renamed(5, 2, "60")["error"]["message"].get<std::string>(), HasSubstr("O2.nc, line 3"));
+    EXPECT_THAT(renamed(5, 2, "60")["error"]["message"].get<std::string>(), HasSubstr("O2.nc line 3"));
 }
 
 TEST_F(LspBlockNumbers, AreWrittenAnewFromAStartByAStep) {
