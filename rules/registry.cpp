@@ -311,11 +311,13 @@
     RULE(malformed_case)                         /* SIN123 */ \
     RULE(split_declaration)                      /* SIN124 */ \
     RULE(definition_after_code)                  /* SIN201 */ \
+    RULE(undefined_name)                         /* SIN202 */ \
     RULE(misspelled_name)                        /* SIN203 */ \
     RULE(unknown_system_variable)                /* SIN204 */ \
     RULE(index_out_of_range)                     /* SIN207 */ \
     RULE(wrong_dimensions)                       /* SIN208 */ \
     RULE(type_clash)                             /* SIN209 */ \
+    RULE(fraction_into_int)                      /* SIN210 */ \
     RULE(int_overflow)                           /* SIN211 */ \
     RULE(too_many_initial_values)                /* SIN213 */ \
     RULE(ambiguous_label)                        /* SIN302 */ \
@@ -329,6 +331,7 @@
     RULE(arguments_without_proc)                 /* SIN407 */ \
     RULE(other_program_name)                     /* SIN408 */ \
     RULE(cycle_under_compensation)               /* SIN411 */ \
+    RULE(cycle_planes)                           /* SIN412 */ \
     RULE(tool_change_under_compensation)         /* SIN502 */ \
     RULE(frame_replaces)                         /* SIN504 */ \
     RULE(position_as_distance)                   /* SIN505 */ \

@@ -207,6 +207,8 @@ std::optional<Arc> Reader::read() const {
     }
     const Pair plane_way = chosen.in_plane(ways);
     Arc arc = has_centre() ? chosen.by_centre(plane_way, *outside) : chosen.by_radius(plane_way);
+    if (machine_.diameter_by_code && *outside != z_axis && arc.fault != ArcFault::nothing_moves)
+        return std::nullopt;
     arc.letters =
         std::string(1, machine_.centres[chosen.plane_[0]]) + " and " + machine_.centres[chosen.plane_[1]];
     arc.plane_of_start = step_.after.of(ModalRole::plane).is_callers() && !machine_.x_is_diameter;

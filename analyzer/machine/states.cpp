@@ -116,9 +116,12 @@ void States::run_calls(const flow::Node& node, State& state) const {
                 return !std::holds_alternative<Assign>(effect.what) &&
                        !std::holds_alternative<Jump>(effect.what);
             });
-        if (std::holds_alternative<Call>(what)) {
+        if (const auto* call = std::get_if<Call>(&what)) {
             const Left* left = left_by_call_(id);
-            if (left == nullptr || !left->state.is_reached)
+            if (left == nullptr && program_->control->calls[call->kind].brought_by_control) {
+                state.forget_position();
+                state.of(ModalRole::feed) = Known::nothing();
+            } else if (left == nullptr || !left->state.is_reached)
                 state.forget();
             else
                 state.go_on_with(left->state, node.part.begin);

@@ -34,6 +34,7 @@ Words::Words(std::span<const Word> words, const MachineWords& machine)
     for (const Word& word : words) {
         if (!machine.radius_address.empty() && word.address == machine.radius_address)
             words_[index(machine.radius)] = &word;
+        has_clamp_ |= !machine.clamp_address.empty() && word.address == machine.clamp_address;
         has_other_target_ |=
             std::ranges::find(machine.other_targets, word.address) != machine.other_targets.end();
         if (word.address.size() != 1 || word.address.front() < 'A' || word.address.front() > 'Z') continue;
@@ -144,6 +145,7 @@ void Stepper::apply(State& state, const BlockView& block, const Words& words) {
         const auto speed = words.number('S');
         state.speed_clamp = speed ? Known::of(speed->value, block.span.begin) : Known::nothing();
     }
+    if (words.has_clamp()) state.speed_clamp = Known::nothing();
     change_tool(state, block, words);
     choose_offsets(state, block, words);
     if (words.has_one_of(machine_->resetting)) state.forget_position();

@@ -54,6 +54,9 @@ class Words {
     /// Whether a word other than those of axes says where the move ends.
     [[nodiscard]] bool has_other_target() const { return has_other_target_; }
 
+    /// Whether a word of several letters gives the highest speed of the spindle.
+    [[nodiscard]] bool has_clamp() const { return has_clamp_; }
+
   private:
     [[nodiscard]] static std::size_t index(char letter) { return static_cast<std::size_t>(letter - 'A'); }
 
@@ -73,6 +76,7 @@ class Words {
     Span span_ = {};
     bool has_computed_code_ = false;
     bool has_other_target_ = false;
+    bool has_clamp_ = false;
     bool lengths_without_point_;
 };
 

@@ -1,6 +1,8 @@
 //! Which words of a control move its axes, choose its tools and its offsets.
 #pragma once
 
+#include "analyzer/program/modal_groups.hpp"
+
 #include <array>
 #include <cstddef>
 #include <span>
@@ -24,6 +26,8 @@ struct MachineWords {
     std::string_view radius_address = {};
     /// Words of several letters that say where a move ends: AP, RP.
     std::span<const std::string_view> other_targets = {};
+    /// Codes say whether X counts diameters: of circles that X lies in with Z or Y, no radius is known.
+    bool diameter_by_code = false;
     bool lengths_without_point = false; ///< a number without a point is a length, and counts no thousandths
     char tool = 'T';
     char length_offset = 0; ///< 0: the tool's word names it
@@ -44,6 +48,9 @@ struct MachineWords {
     /// moves in the machine's own coordinates, and those whose S is the highest speed.
     std::span<const double> returning = {}, resetting = {}, of_machine = {}, clamping = {};
     double surface_speed = 96;     ///< code of the speed mode
+    ModalRole speed_mode = ModalRole::speed_mode; ///< the group that surface speed belongs to
+    std::string_view clamp_address = {}; ///< of the highest speed, where a word gives it: "LIMS"
+    bool side_by_off = false; ///< the side of cutter compensation changes only where it was off between
     double feed_per_minute = 94;   ///< code of the feed mode
     double inch = 20, metric = 21; ///< codes of the units
     /// G codes of cycles that read a profile behind them, and end where they began.

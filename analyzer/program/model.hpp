@@ -365,6 +365,14 @@ struct ArrayIndex {
     Span declared;
 };
 
+/// A name that the text uses and does not define: the machine's maker or another file does, or it is misspelt.
+struct UnknownName {
+    std::string name; ///< capitals
+    Span span;
+    std::string meant;   ///< what it is a letter off; empty: nothing that is known
+    bool of_the_program; ///< that is something the program defines, else a word of the language
+};
+
 /// A variable that the text declares.
 struct Declaration {
     VariableType type;
@@ -409,7 +417,10 @@ class Program {
     std::vector<Formal> formals; ///< parameters, by position
     std::vector<ExternalDeclaration> externals;
     std::vector<ArrayIndex> array_indices; ///< in text order
+    std::vector<UnknownName> unknown_names; ///< in text order
+    std::vector<std::string> given_names;   ///< that it defines for all programs; capitals
     Span definition;                       ///< of its parameters: `PROC …`; empty: the text has none
+    bool parameters_unknown = false; ///< its definition cannot be read
     std::unordered_map<Variable, Declaration, VariableHash> declarations;
     std::vector<Variable> handed_down; ///< locals that all programs called from here see, too: #l1(200)
     std::unordered_map<Variable, Variable, VariableHash>

@@ -3,7 +3,9 @@
 
 #include <cstddef>
 #include <functional>
+#include <string>
 #include <string_view>
+#include <unordered_set>
 
 namespace maclint {
 
@@ -11,5 +13,7 @@ struct TextHash {
     using is_transparent = void; // NOLINT(readability-identifier-naming): the standard's name
     std::size_t operator()(std::string_view text) const { return std::hash<std::string_view>{}(text); }
 };
+
+using TextSet = std::unordered_set<std::string, TextHash, std::equal_to<>>;
 
 } // namespace maclint

@@ -41,6 +41,7 @@ ProgramOutline outline_of(const Program& program) {
                            .folder = in_capitals(program.folder),
                            .local = program.local,
                            .started_by_hand = program.started == Program::Started::by_hand,
+                           .given_names = program.given_names,
                            .calls = {}};
     for (const std::string& name : program.also_known_as) outline.names.push_back(in_capitals(name));
     std::ranges::sort(outline.names);

@@ -78,6 +78,8 @@ class ProgramAnalysis {
     [[nodiscard]] bool asked() const { return file_->asked; }
     /// Every program of its control is in the workspace, or meant by no call of it.
     [[nodiscard]] bool complete() const { return file_->complete; }
+    /// Names that the program need not define.
+    [[nodiscard]] const NamesElsewhere& names_elsewhere() const { return file_->names_elsewhere; }
     [[nodiscard]] const Program& program() const { return *program_; }
     [[nodiscard]] const ControlModel& control() const { return *program_->control; }
     [[nodiscard]] const flow::Regions& regions() const { return regions_; }

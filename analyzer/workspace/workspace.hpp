@@ -4,6 +4,7 @@
 #include "analyzer/dataflow/facts/fact_set.hpp"
 #include "analyzer/program/model.hpp"
 #include "analyzer/source/made_once.hpp"
+#include "analyzer/workspace/names_elsewhere.hpp"
 
 #include <cstddef>
 #include <deque>
@@ -30,6 +31,7 @@ struct WorkspaceFile {
     bool may_be_computed = false;
     /// Programs that the control may run for codes of the machine's own (O9010) are in its folder.
     bool has_macros_for_codes = false;
+    NamesElsewhere names_elsewhere = {}; ///< that its programs may use
 };
 
 struct WorkspaceOptions {

@@ -6,6 +6,7 @@
 #include "analyzer/source/encoding.hpp"
 #include "analyzer/source/source.hpp"
 #include "analyzer/source/text_hash.hpp"
+#include "analyzer/workspace/names_elsewhere.hpp"
 #include "cli/config/glob_set.hpp"
 #include "cli/config/own_control.hpp"
 #include "cli/config/reach.hpp"
@@ -79,6 +80,7 @@ struct Configuration {
     bool vendor_by_remarks = true; ///< elsewhere the first remarks of a program tell
     std::optional<Encoding> encoding;
     bool complete = false;
+    std::shared_ptr<const ListedNames> known_names; ///< nullptr: it lists none
     std::string baseline; ///< path as it is shown, from the working folder; empty: none
     std::map<std::string, std::size_t, std::less<>> source_of_key; ///< of what is not merged, by its key
 

@@ -1,5 +1,7 @@
 //! Reads .maclint.json: every key is known, every value is of its kind, or the user is told where and what
 //! instead.
+#include "analyzer/dialect/ascii.hpp"
+#include "analyzer/dialect/characters.hpp"
 #include "analyzer/dialect/dialect.hpp"
 #include "analyzer/source/platform/paths.hpp"
 #include "cli/config/configuration.hpp"
@@ -60,8 +62,8 @@ class Loader {
     };
 
     /// The keys of the top level.
-    static const std::array<Key, 14>& keys() {
-        static constexpr std::array<Key, 14> rows{{
+    static const std::array<Key, 15>& keys() {
+        static constexpr std::array<Key, 15> rows{{
             {"$schema", &Loader::skip},
             {"extends", &Loader::skip},
             {"controls", &Loader::read_controls},
@@ -73,6 +75,7 @@ class Loader {
             {"severity", &Loader::read_severity},
             {"per-file-ignores", &Loader::read_per_file_ignores},
             {"complete", &Loader::read_complete},
+            {"known-names", &Loader::read_known_names},
             {"vendor", &Loader::read_vendor},
             {"encoding", &Loader::read_encoding},
             {"baseline", &Loader::read_baseline},
@@ -417,6 +420,26 @@ class Loader {
     }
 
     void read_complete(const JsonNode& node) { configuration_->complete = truth(node, "'complete'"); }
+
+    /// "CHIPS_AWAY", "MTB_*".
+    void read_known_names(const JsonNode& node) {
+        auto patterns = std::make_shared<ListedNames>();
+        for (const JsonNode& element : array(node, "'known-names'")) {
+            std::string name = in_capitals(text(element, "an entry of 'known-names'"));
+            const bool is_beginning = name.ends_with('*');
+            if (is_beginning) name.pop_back();
+            const bool is_name =
+                !name.empty() && std::ranges::all_of(name, [](char c) { return is_letter(c) || is_digit(c) || c == '_'; });
+            if (!is_name)
+                reject(element.span, "an entry of 'known-names' must be a name of letters, digits and _, or the "
+                                     "beginning of names with * behind it. Correct it");
+            if (is_beginning)
+                patterns->beginnings.push_back(std::move(name));
+            else
+                patterns->names.insert(std::move(name));
+        }
+        configuration_->known_names = std::move(patterns);
+    }
 
     bool truth(const JsonNode& node, std::string_view key) const {
         const auto* value = std::get_if<bool>(&node.value);

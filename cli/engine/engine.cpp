@@ -11,6 +11,7 @@
 #include "analyzer/workspace/workspace.hpp"
 #include "cli/engine/bounds.hpp"
 #include "cli/engine/computed_calls.hpp"
+#include "cli/engine/definitions.hpp"
 #include "cli/engine/other_control.hpp"
 #include "cli/engine/own_macros.hpp"
 #include "cli/engine/read.hpp"
@@ -136,6 +137,7 @@ class Run {
         computed_calls_ = ComputedCalls(snapshot_, outlines);
         same_numbers_ = SameNumbers(snapshot_, outlines);
         own_macros_ = OwnMacros(snapshot_, outlines);
+        definitions_ = Definitions(snapshot_, outlines);
         auto groups = groups_of(outlines);
         std::erase_if(groups, [&](const Group& group) {
             return std::ranges::none_of(
@@ -211,7 +213,8 @@ class Run {
             else
                 members.push_back({programs, file.input.asked, file.settings.complete,
                                    computed_calls_.may_mean(file, programs->control->language),
-                                   own_macros_.lie_by(file, programs->control->language)});
+                                   own_macros_.lie_by(file, programs->control->language),
+                                   definitions_.names_for(file, programs->control->language)});
         }
         const Selection selection = selection_of(rules);
         std::ranges::move(find_in(std::move(members), selection, jobs), std::back_inserter(findings));
@@ -331,6 +334,7 @@ class Run {
     ComputedCalls computed_calls_;
     SameNumbers same_numbers_;
     OwnMacros own_macros_;
+    Definitions definitions_;
     Stopwatches watches_;
     Bounds bounds_;
     Result result_;

@@ -1,13 +1,12 @@
-//! Folders are compared as texts.
+//! Looks through the numbers of all programs.
 #include "cli/engine/own_macros.hpp"
+
+#include "cli/engine/folders.hpp"
 
 #include <algorithm>
 
 namespace maclint::cli {
 namespace {
-
-/// "shop/" of "shop/O1.nc"; "" of "O1.nc".
-std::string folder_of(const std::string& path) { return path.substr(0, path.rfind('/') + 1); }
 
 bool is_for_codes(const ProgramOutline& program) {
     constexpr std::int64_t first = 9001, last = 9029;
@@ -26,8 +25,7 @@ OwnMacros::OwnMacros(const Snapshot& snapshot, std::span<const FileOutline> outl
 bool OwnMacros::lie_by(const SnapshotFile& file, std::string_view language) const {
     const std::string own = folder_of(file.input.path);
     return std::ranges::any_of(folders_, [&](const auto& holding) {
-        return holding.first == language &&
-               (own.starts_with(holding.second) || holding.second.starts_with(own));
+        return holding.first == language && lie_together(own, holding.second);
     });
 }
 

@@ -1,6 +1,8 @@
 //! MAC402: a call of a program that is not there.
 #include "analyzer/program/tables.hpp"
+#include "analyzer/dialect/ascii.hpp"
 #include "analyzer/queries/calls/callers.hpp"
+#include "analyzer/queries/names/unknown_names.hpp"
 #include "analyzer/queries/structure/sections.hpp"
 #include "analyzer/source/budget.hpp"
 #include "analyzer/workspace/program_analysis.hpp"
@@ -83,6 +85,11 @@ void check(const ProgramAnalysis& analysis, Reporter& reporter) {
         const bool named = std::holds_alternative<Text>(call.program) ||
                            (number != nullptr && flow::constant_number(program, *number));
         if (!named || site.candidates != 0 || !knows_all(analysis, call)) continue;
+        const auto* written = std::get_if<Text>(&call.program);
+        if (written != nullptr &&
+            (queries::is_misspelt_at(analysis, written->characters) ||
+             analysis.names_elsewhere().contain(in_capitals(program.slice(written->characters)))))
+            continue;
         const Span span = program.effects[site.effect].span;
         reporter.report({analysis, site.effect}, span, "plain", {quoted(program, span)});
     }

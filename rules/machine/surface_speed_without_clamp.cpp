@@ -39,6 +39,13 @@ G96 S200 M3
 G0 X54. Z0. M8
 G1 X-1.6 F0.2
 M30
+)nc"},
+            {"sinumerik", R"nc(
+G18 G90 G54 G95 DIAMON
+G96 S220 M4 F0.25
+G0 X34 Z2
+G1 X0
+M30
 )nc"}},
     .good = {{"fanuc", R"nc(
 O9570(FACE)
@@ -69,6 +76,13 @@ G0 X54. Z0. M8
 G1 X-1.6 F0.2
 G97 S800
 M99
+)nc"},
+             {"sinumerik", R"nc(
+G18 G90 G54 G95 DIAMON
+G96 S220 LIMS=2500 M4 F0.25
+G0 X34 Z2
+G1 X0
+M30
 )nc"}},
     .sources = {"T"},
     .check = MachineCheck{&check},
@@ -79,15 +93,18 @@ namespace {
 void check(const MachineStep& at, Reporter& reporter) {
     using machine::Move;
     constexpr std::size_t x = 0;
-    const machine::Known& mode = at.after().of(ModalRole::speed_mode);
-    if (!at.letters().x_is_diameter || !at.analysis.is_main()) return;
-    if (!mode.is(at.letters().surface_speed) || !at.after().speed_clamp.is_callers()) return;
+    const MachineWords& letters = at.letters();
+    const machine::Known& mode = at.after().of(letters.speed_mode);
+    if (!(letters.x_is_diameter || letters.diameter_by_code) || !at.analysis.is_main()) return;
+    if (!mode.is(letters.surface_speed) || !at.after().speed_clamp.is_callers()) return;
     if (at.step.move == Move::none || at.step.move == Move::elsewhere || at.step.move == Move::unknown)
         return;
     if (!at.step.axes[x] && !at.cuts()) return;
     if (!at.is_first_of(at.after().speed_clamp)) return;
     const Span set = at.at(mode, {}).span;
-    const std::string clamp = "G" + number_word(at.letters().clamping.front()) + " S";
+    const std::string clamp = letters.clamp_address.empty()
+                                  ? "G" + number_word(letters.clamping.front()) + " S"
+                                  : std::string(letters.clamp_address) + "=";
     const std::string line = line_number(at.analysis.file(), at.block().begin);
     reporter.report({at.analysis, set}, set, "no_clamp", {quoted(at.analysis.program(), set), line, clamp})
         .related.push_back({at.analysis.source(), at.block(), "it moves in X here"});

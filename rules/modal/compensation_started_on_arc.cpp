@@ -39,6 +39,10 @@ extern const Rule compensation_started_on_arc{
          {"over",
           "Compensation switched over in an arc: '{0}' changes the side while {1} is in force, and the "
           "tool crosses the contour.",
+          "Switch it off in a straight move, and on again in another one."},
+         {"side",
+          "Side of the compensation changed: '{0}' follows on the other side, with no code that ends it "
+          "between.",
           "Switch it off in a straight move, and on again in another one."}},
     .bad = {{"fanuc", R"nc(
 O9511(POCKET)
@@ -47,6 +51,16 @@ G0 X0 Y0
 G41 D1 G3 X20. Y0 R10. F200.
 G1 Y30.
 G40 X0
+M30
+)nc"},
+            {"sinumerik", R"nc(
+G17 G90 G40 G54
+G0 X-20 Y-20
+G41 G1 X0 Y0 F200
+Y20
+G42 X20
+Y0
+G40 X40
 M30
 )nc"}},
     .good = {{"fanuc", R"nc(
@@ -72,6 +86,7 @@ std::string_view message_of(CompensationChange::Kind kind) {
     switch (kind) {
     case Kind::on: return "on";
     case Kind::off: return "off";
+    case Kind::side: return "side";
     case Kind::over: break;
     }
     return "over";
@@ -82,8 +97,8 @@ void check(const ProgramAnalysis& analysis, Reporter& reporter) {
         const ControlModel& control = analysis.control();
         Finding& finding = reporter.report(
             {analysis, change.block}, change.block, message_of(change.kind),
-            {control.spell(change.group, change.code), control.spell(change.motion, change.circle)});
-        // It is allowed, and seldom meant.
+            {control.spell(change.group, change.code), control.spell(change.motion, change.moved)});
+        // In an arc it is allowed, and seldom meant.
         if (change.kind == CompensationChange::Kind::over) {
             finding.severity = Severity::warning;
             finding.alarm = {};

@@ -2,6 +2,7 @@
 #include "rules/modal/compensation_started_on_arc_finder.hpp"
 
 #include "analyzer/program/block_view.hpp"
+#include "analyzer/program/machine_words.hpp"
 #include "analyzer/program/tables.hpp"
 #include "analyzer/queries/modal/own_settings.hpp"
 
@@ -37,18 +38,25 @@ class Changes {
         if (!code || !moves(block)) return std::nullopt;
         const queries::BlockModes modes = modes_at_(block);
         const queries::Modes motion = modes.with_words(motion_);
-        const auto circle = motion.sure_code();
+        const auto moved = motion.sure_code();
         const auto& circles = control_.groups[motion_].circles;
-        if (!circle || std::ranges::find(circles, *circle) == circles.end()) return std::nullopt;
+        if (!moved) return std::nullopt;
+        const bool in_arc = std::ranges::find(circles, *moved) != circles.end();
+        if (!in_arc && !(control_.machine_words != nullptr && control_.machine_words->side_by_off))
+            return std::nullopt;
         const auto node = *analysis_.graph().node_of(block.span);
         const bool states_it = std::ranges::any_of(
             block.settings, [&](const BlockSetting& setting) { return setting.group == motion_; });
         const Stretch stretch{analysis_.graph().nodes[node].item, block.span};
         if (!states_it && !queries::modal_move_in(analysis_, stretch).relies) return std::nullopt;
         const queries::Modes before = modes.before(compensation_);
-        const auto kind = kind_of(*code, before);
+        auto kind = kind_of(*code, before);
         if (!kind) return std::nullopt;
-        CompensationChange change{*kind, compensation_, *code, motion_, *circle, block.span, node, {}};
+        if (!in_arc) {
+            if (kind != CompensationChange::Kind::over) return std::nullopt;
+            kind = CompensationChange::Kind::side;
+        }
+        CompensationChange change{*kind, compensation_, *code, motion_, *moved, block.span, node, {}};
         const queries::Mode& begins = states_it ? before.possible.front() : motion.possible.front();
         if (begins.set_by != queries::Mode::SetBy::nobody) change.begins = begins;
         return change;

@@ -15,18 +15,20 @@ struct CompensationChange {
         on,
         off,
         over, ///< to the other side, without being off in between
+        side, ///< likewise, in a straight move, where the control wants it off in between
     } kind;
     GroupId group; ///< of the compensation
     double code;   ///< that the block gives
     GroupId motion;
-    double circle; ///< the motion code in force
+    double moved; ///< the motion code in force
     Span block;
     flow::NodeId node;
     std::optional<queries::Mode>
         begins; ///< what makes it a fault, where that does not stand in the block itself
 };
 
-/// Calls the visitor for each block that moves on an arc and, on all paths, switches the compensation. Left
+/// Calls the visitor for each block that moves on an arc and, on all paths, switches the compensation, and
+/// where the control wants it off before it changes its side, for each that does so in a straight move. Left
 /// out are blocks of which it is not known what was in force before, and those in which another code says how
 /// to move: a cycle, a move to a reference position, a code that may call a macro.
 void for_each_compensation_change_in_arc(const ProgramAnalysis& analysis,

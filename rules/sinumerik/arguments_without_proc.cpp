@@ -46,7 +46,9 @@ void check(const ProgramAnalysis& analysis, Reporter& reporter) {
     const Program& program = analysis.program();
     queries::for_each_known_call(analysis, [&](const CallSite& site, const Call& call, const auto& called) {
         const bool is_program = called.program().started != Program::Started::unknown;
-        if (call.arguments.count == 0 || !is_program || !called.program().definition.empty()) return;
+        if (call.arguments.count == 0 || !is_program || !called.program().definition.empty() ||
+            called.program().parameters_unknown)
+            return;
         const Span span = program.effects[site.effect].span;
         reporter.report({analysis, site.effect}, span, "none",
                         {quoted(program, span), called.program().name});

@@ -1,12 +1,11 @@
 //! SIN411: a drilling or milling cycle while radius compensation is in force.
 #include "analyzer/dataflow/facts/point_state.hpp"
 #include "analyzer/dialect/ascii.hpp"
+#include "analyzer/dialect/sinumerik/cycles.hpp"
 #include "analyzer/queries/calls/callers.hpp"
 #include "rules/rule.hpp"
 #include "rules/sinumerik/under_compensation.hpp"
 
-#include <algorithm>
-#include <iterator>
 #include <string>
 #include <string_view>
 
@@ -55,13 +54,6 @@ M30
 
 namespace {
 
-/// Sorted.
-constexpr std::string_view cycles[] = {"CYCLE71", "CYCLE76",  "CYCLE77",  "CYCLE81", "CYCLE82", "CYCLE83",
-                                       "CYCLE84", "CYCLE840", "CYCLE85",  "CYCLE86", "CYCLE87", "CYCLE88",
-                                       "CYCLE89", "CYCLE90",  "LONGHOLE", "POCKET1", "POCKET2", "POCKET3",
-                                       "POCKET4", "SLOT1",    "SLOT2"};
-static_assert(std::ranges::is_sorted(cycles));
-
 /// Whether the effect calls one of them, and no program of the shop with its name.
 bool calls_cycle(const ProgramAnalysis& analysis, EffectId id) {
     const Program& program = analysis.program();
@@ -69,7 +61,7 @@ bool calls_cycle(const ProgramAnalysis& analysis, EffectId id) {
     const auto* written = call == nullptr ? nullptr : std::get_if<Text>(&call->program);
     if (written == nullptr) return false;
     const std::string name = in_capitals(program.slice(written->characters));
-    if (!std::ranges::binary_search(cycles, std::string_view(name))) return false;
+    if (!sinumerik::wants_no_compensation(name)) return false;
     const CallSite* site = analysis.call_at(id);
     return site == nullptr || site->candidates == 0;
 }

@@ -298,6 +298,8 @@ TEST(Configuration, TellsUnknownKeysWithTheirPlaceAndTheLikelyOne) {
     EXPECT_THAT(refusal(R"({"encoding": "utf8"})"), HasSubstr("Did you mean 'utf-8'?"));
     EXPECT_THAT(refusal(R"({"ignore": "MAC301"})"), HasSubstr("must be a list"));
     EXPECT_THAT(refusal(R"({"complete": 1})"), HasSubstr("true or false"));
+    EXPECT_THAT(refusal(R"({"known-names": ["A*B"]})"), HasSubstr("letters, digits and _"));
+    EXPECT_THAT(refusal(R"({"known-names": ["*"]})"), HasSubstr("letters, digits and _"));
     EXPECT_THAT(refusal("{"), HasSubstr("the file ends too early"));
 }
 

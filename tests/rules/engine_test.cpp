@@ -150,6 +150,21 @@ TEST_F(EngineTest, EachFolderIsCompleteOrNotForItself) {
     EXPECT_THAT(places(engine.analyse(snapshot({"O1.nc"}))), ElementsAre("mill/O1.nc:2 MAC402"));
 }
 
+TEST_F(EngineTest, FilesOfDefinitionsGiveNamesToTheProgramsByThem) {
+    const std::string main = "G0 X=SHOP_WIDTH\nAIR_ON\nG0 X=SHOP_WIDHT2\nM30\n";
+    folder.write("mill/A.MPF", main);
+    EXPECT_THAT(places(engine.analyse(snapshot({"A.MPF"}))), IsEmpty()); // the machine may have them
+    folder.write("other/SHOP.DEF", "DEF CHAN REAL SHOP_WIDTH\nM30\n");
+    EXPECT_THAT(places(engine.analyse(snapshot({"A.MPF"}))), IsEmpty()); // those of another machine
+    folder.write("mill/SHOP.DEF", "DEF CHAN REAL SHOP_WIDTH, SHOP_ROW[5]\nDEFINE AIR_ON AS M27\nM30\n");
+    EXPECT_THAT(places(engine.analyse(snapshot({"A.MPF"}))), ElementsAre("mill/A.MPF:3 SIN202"));
+    folder.write(".maclint.json", R"({"complete": true, "known-names": ["SHOP_WIDH*"]})");
+    settings = cli::Settings({});
+    EXPECT_THAT(places(engine.analyse(snapshot({"A.MPF"}))), IsEmpty());
+    folder.write("mill/SHOP.DEF", "DEF CHAN REAL SHOP_WIDTH\nM30\n");
+    EXPECT_THAT(places(engine.analyse(snapshot({"A.MPF"}))), ElementsAre("mill/A.MPF:2 MAC402"));
+}
+
 TEST_F(EngineTest, AComputedCallInTheFolderLeavesOpenWhatIsPassed) {
     folder.write(".maclint.json", R"({"complete": true})");
     folder.write("O1.nc", "O1\nG65P2A1.\nM30\n");

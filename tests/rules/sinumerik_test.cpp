@@ -219,6 +219,57 @@ TEST(SinumerikNames, AreThoseOfTheFile) {
     EXPECT_THAT(findings("SIN204", "R1=$MC_ANY_DATA[0] R2=$SA_ANY R3=$P_UIFR[1,X,TR]\n"), IsEmpty());
 }
 
+TEST(SinumerikSlips, WordsOfTheLanguageAreMeant) {
+    EXPECT_THAT(findings("MAC118", "DFE INT ROW_NO\nROW_NO=1\nM30\n"), SizeIs(1));
+    EXPECT_THAT(findings("MAC118", "DE STRING[20] TEXT_\nM30\n"), SizeIs(1));
+    EXPECT_THAT(findings("MAC118", "PORC SLOT(REAL DEPTH) SAVE\nM17\n"), SizeIs(1));
+    EXPECT_THAT(findings("MAC118", "EXTREN SLOT(REAL)\nM30\n"), SizeIs(1));
+    EXPECT_THAT(findings("MAC118", "G0 X1\nPORC SLOT\nM17\n"), IsEmpty()); // no place for a PROC
+    EXPECT_THAT(findings("MAC118", "DFE X40\nM30\n"), IsEmpty());
+    EXPECT_THAT(findings("SIN201", "DFE INT ROW_NO\nDEF INT LAST_\nM30\n"), IsEmpty());
+    EXPECT_THAT(findings("MAC106", "G0 Y5\nXO\nM30\n"), SizeIs(1));
+    EXPECT_THAT(findings("MAC106", "SO\nM30\n"), IsEmpty()); // a program
+}
+
+TEST(SinumerikSlips, WhatCannotBeReadMayHaveParametersAndSave) {
+    const std::string main = "%_N_A_MPF\nSLOT(5)\nM30\n%_N_SLOT_SPF\n";
+    EXPECT_THAT(findings("SIN407", main + "G91 G0 Z5\nM17\n"), SizeIs(1));
+    EXPECT_THAT(findings("SIN407", main + "PORC SLOT(REAL DEPTH) SAVE\nG91 G0 Z5\nM17\n"), IsEmpty());
+    EXPECT_THAT(findings("SIN407", main + "PROC SLOT(REAL DEPTH SAVE\nG91 G0 Z5\nM17\n"), IsEmpty());
+    EXPECT_THAT(findings("MAC501", main + "PROC SLOT(REAL DEPTH SAVE\nG91 G0 Z5\nM17\n"), IsEmpty());
+    EXPECT_THAT(findings("MAC501", main + "PROC SLOT(REAL DEPTH\nG91 G0 Z5\nM17\n"), SizeIs(1));
+}
+
+TEST(SinumerikSlips, ACommandIsMeantWhereNoProgramHasTheName) {
+    EXPECT_THAT(findings("SIN203", "TRNAS X40\nG0 X0\nM30\n"), SizeIs(1));
+    EXPECT_THAT(findings("SIN203", "STOPPRE\nM30\n"), SizeIs(1));
+    EXPECT_THAT(findings("SIN203", "ARTO RPL=45\nM30\n"), SizeIs(1));
+    EXPECT_THAT(findings("SIN203", "%_N_A_MPF\nSTOPPRE\nM30\n%_N_STOPPRE_SPF\nM17\n"), IsEmpty());
+    EXPECT_THAT(findings("SIN203", "DEFINE STOPPRE AS M5\nSTOPPRE\nM30\n"), IsEmpty());
+    EXPECT_THAT(findings("SIN203", "PROBES\nTRANS2\nM30\n"), IsEmpty());
+}
+
+TEST(SinumerikNames, OfAxesAreTheMachines) {
+    const std::string text = "R1=$AA_IW[LOADER] POS[LOADER]=5 RELEASE(LOADER)\nLOADER=10\nG0 X=_OVR[2]\nM30\n";
+    EXPECT_THAT(test::analyse_text("sinumerik", text)->programs().front().program().unknown_names, IsEmpty());
+    const auto read = test::analyse_text("sinumerik", "G0 X=LOADER Y=PLACES[2]\nM30\n");
+    EXPECT_THAT(read->programs().front().program().unknown_names, SizeIs(2));
+}
+
+TEST(SinumerikCycles, LeaveModesAsTheyAre) {
+    const std::string arc = "G0 X-30 Y-20\nG1 X0 Y-15 F200\nY20\nG2 X0 Y20 CR=20\nM30\n";
+    EXPECT_THAT(findings("MAC558", "G17 G90 G54\nCYCLE82(20,0,2,-12,,0.3)\n" + arc), SizeIs(1));
+    EXPECT_THAT(findings("MAC558", "G17 G90 G54\nOF_THE_SHOP(20)\n" + arc), IsEmpty());
+}
+
+TEST(SinumerikArcs, AreJudgedInPlanesWithoutDiameters) {
+    EXPECT_THAT(findings("MAC522", "G17 G90 G0 X0 Y20\nG2 X20 Y40 CR=11.3\nM30\n"), SizeIs(1));
+    EXPECT_THAT(findings("MAC522", "G17 G90 G0 X0 Y20\nG2 X20 Y40 CR=14.2\nM30\n"), IsEmpty());
+    EXPECT_THAT(findings("MAC522", "G17 G90 G0 X0 Y20\nG2 X20 Y40 I48 J0\nM30\n"), SizeIs(1));
+    EXPECT_THAT(findings("MAC522", "G18 G90 G0 X0 Z20\nG2 X20 Z40 CR=11.3\nM30\n"), IsEmpty());
+    EXPECT_THAT(findings("MAC522", "TRANSMIT(1)\nG17 G90 G0 X0 Y20\nG2 X20 Y40 CR=11.3\nM30\n"), IsEmpty());
+}
+
 /// What a line becomes by the first fix of the rule.
 std::string mended(std::string_view code, const std::string& line) {
     const auto found = findings(code, line + "\nREADY: M30\n");

@@ -73,6 +73,7 @@ void Programs::open(std::string written) {
         program.builder.add_name("_N_" + whole);
         program.builder.set_started(ending->started);
         program.has_file_name = true;
+        program.is_for_all = ending->executed == Section::Executed::never;
     }
     program.builder.begin_section("program",
                                   ending == nullptr ? Section::Executed::when_reached : ending->executed, {});
@@ -122,28 +123,30 @@ void Programs::check_labels(const OpenProgram& program) {
     }
 }
 
-/// A name that stands once, is defined nowhere here, and is a letter off a variable of the program.
-void Programs::check_names(const OpenProgram& program) {
-    std::unordered_map<std::string_view, std::size_t> uses;
-    for (const NamedPlace& place : program.unknown) ++uses[place.name];
-    for (const NamedPlace& place : program.unknown) {
-        if (uses[place.name] != 1) continue;
-        const std::string* meant = nullptr;
+/// Of a name that stands once it is a slip where it is a letter off a variable of the program.
+void Programs::collect_names(OpenProgram& program) {
+    std::vector<UnknownName> names;
+    for (const auto& [name, uses] : program.unknown) {
+        if (program.variables.contains(name) || program.arrays.contains(name) ||
+            program.unread.contains(name))
+            continue;
+        UnknownName unknown{name, uses.first, {}, true};
         const auto look_at = [&](const std::string& known) {
-            if (is_one_letter_off(place.name, known)) meant = &known;
+            const bool first = unknown.meant.empty() || known < unknown.meant;
+            if (uses.count == 1 && first && is_one_letter_off(name, known)) unknown.meant = known;
         };
         for (const auto& [known, variable] : program.variables) look_at(known);
         for (const auto& [known, array] : program.arrays) look_at(known);
-        if (meant != nullptr)
-            file_.syntax_errors.push_back({SyntaxErrorKind::undeclared_name, place.span,
-                                           std::string(source_.bytes(place.span)), *meant});
+        if (uses.is_read || !unknown.meant.empty()) names.push_back(std::move(unknown));
     }
+    std::ranges::sort(names, {}, [](const UnknownName& name) { return name.span.begin; });
+    for (UnknownName& name : names) program.builder.add_unknown_name(std::move(name));
 }
 
 void Programs::close() {
     for (OpenProgram& program : open_) {
         check_labels(program);
-        check_names(program);
+        collect_names(program);
         file_.programs.push_back(program.builder.take());
     }
 }

@@ -31,7 +31,7 @@ class Programs {
   private:
     void open(std::string written);
     void check_labels(const OpenProgram& program);
-    void check_names(const OpenProgram& program);
+    void collect_names(OpenProgram& program);
 
     const Source& source_;
     const ControlModel& control_;

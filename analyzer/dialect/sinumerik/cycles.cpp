@@ -2,6 +2,7 @@
 #include "analyzer/dialect/sinumerik/cycles.hpp"
 
 #include "analyzer/dialect/characters.hpp"
+#include "analyzer/dialect/sinumerik/word_list.hpp"
 
 #include <algorithm>
 #include <iterator>
@@ -77,6 +78,13 @@ constexpr CycleRow rows[] = {
 // clang-format on
 static_assert(std::ranges::is_sorted(rows, {}, &CycleRow::name));
 
+// T: alarm 61815. Older ones that have no row above, too.
+constexpr std::string_view off_compensation[] = {
+    "CYCLE71",  "CYCLE76",  "CYCLE77", "CYCLE81", "CYCLE82", "CYCLE83", "CYCLE84",
+    "CYCLE840", "CYCLE85",  "CYCLE86", "CYCLE87", "CYCLE88", "CYCLE89", "CYCLE90",
+    "LONGHOLE", "POCKET1", "POCKET2", "POCKET3", "POCKET4", "SLOT1", "SLOT2"};
+static_assert(std::ranges::is_sorted(off_compensation));
+
 } // namespace
 
 const CycleRow* find_cycle(std::string_view capitals) {
@@ -89,6 +97,20 @@ bool is_cycle_name(std::string_view capitals) {
     if (find_cycle(capitals) != nullptr) return true;
     return capitals.size() > stem.size() && capitals.starts_with(stem) &&
            std::ranges::all_of(capitals.substr(stem.size()), is_digit);
+}
+
+bool wants_no_compensation(std::string_view capitals) {
+    return std::ranges::binary_search(off_compensation, capitals);
+}
+
+std::optional<std::size_t> place_of_parameter(const CycleRow& cycle, std::string_view name) {
+    std::optional<std::size_t> place;
+    std::size_t next = 0;
+    for_each_word(cycle.older_parameters, [&](std::string_view parameter) {
+        if (parameter == name) place = next;
+        ++next;
+    });
+    return place;
 }
 
 } // namespace maclint::sinumerik

@@ -1,7 +1,9 @@
 //! The cycles that the control brings.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <string_view>
 
 namespace maclint::sinumerik {
@@ -34,6 +36,11 @@ struct CycleRow {
 /// Whether the name is a cycle's: it has a row, or is CYCLE and digits, which is kept for Siemens
 /// [FUND04 p.60].
 [[nodiscard]] bool is_cycle_name(std::string_view capitals);
+
+/// Whether the cycle stops with an alarm while radius compensation is in force.
+[[nodiscard]] bool wants_no_compensation(std::string_view capitals);
+/// Counted from 0, among the parameters that newer versions have kept.
+[[nodiscard]] std::optional<std::size_t> place_of_parameter(const CycleRow& cycle, std::string_view name);
 
 /// So many program levels a cycle needs below the one that calls it [NCP19 p.493].
 inline constexpr int cycle_levels = 3;

@@ -19,6 +19,9 @@ namespace maclint::sinumerik {
 /// What an unreadable block may do, judged by the words in it.
 [[nodiscard]] NamedInBlock names_in(OpenProgram& program, Span block);
 
+/// Whether an unreadable block begins with PROC.
+[[nodiscard]] bool declares_program(std::string_view text, Span block);
+
 /// Makes a remark of what stands there.
 [[nodiscard]] Remedy remark_remedy(Offset begin);
 /// The name before the colon of a label, whichever colon it is.

@@ -3,8 +3,12 @@
 
 #include "analyzer/dialect/ascii.hpp"
 #include "analyzer/dialect/characters.hpp"
+#include "analyzer/dialect/sinumerik/g_codes.hpp"
+#include "analyzer/dialect/sinumerik/lexer.hpp"
+#include "analyzer/dialect/sinumerik/words.hpp"
 
 #include <algorithm>
+#include <iterator>
 #include <span>
 
 namespace maclint::sinumerik {
@@ -22,6 +26,28 @@ std::string_view one_slip_from(std::span<const std::string_view> words, std::str
         words, [&](std::string_view known) { return edit_distance(written, known, 1) <= 1; });
     return word == words.end() ? std::string_view{} : *word;
 }
+
+/// An exchange of neighbours, a letter lost or doubled.
+bool is_typing_slip(std::string_view written, std::string_view meant) {
+    constexpr std::size_t shortest = 4;
+    if (meant.size() < shortest || written == meant) return false;
+    const auto at = static_cast<std::size_t>(std::ranges::mismatch(written, meant).in1 - written.begin());
+    const std::string_view rest = written.substr(at), rest_meant = meant.substr(at);
+    if (written.size() == meant.size())
+        return rest.size() >= 2 && rest[0] == rest_meant[1] && rest[1] == rest_meant[0] &&
+               rest.substr(2) == rest_meant.substr(2);
+    if (meant.size() == shortest) return false; // too many names are as near
+    if (written.size() + 1 == meant.size()) return rest == rest_meant.substr(1);
+    return written.size() == meant.size() + 1 && at > 0 && rest[0] == written[at - 1] &&
+           rest.substr(1) == rest_meant;
+}
+
+/// Words that stand at the head of a block without an `=` behind them.
+bool is_command(const WordRow& row) {
+    return row.kind == WordKind::procedure || row.name == "MCALL" || row.name == "PCALL";
+}
+
+constexpr std::string_view types[] = {"REAL", "INT", "BOOL", "CHAR", "STRING", "AXIS", "FRAME", "CHAN", "NCK"};
 
 } // namespace
 
@@ -49,5 +75,23 @@ std::string_view bare_opener_meant_by(std::string_view capitals) {
     return one_slip_from(bare, capitals);
 }
 std::string_view jump_meant_by(std::string_view capitals) { return one_slip_from(jumps, capitals); }
+
+std::string_view declaration_meant_by(std::string_view capitals, std::string_view behind, bool at_the_begin) {
+    const auto is_near = [&](std::string_view word) { return edit_distance(capitals, word, 1) <= 1; };
+    const std::string_view type = behind.substr(0, behind.find('['));
+    if (std::ranges::find(types, type) != std::end(types)) return is_near("DEF") ? "DEF" : "";
+    const bool is_name = behind.size() > 1 && begins_name(behind[0]) && begins_name(behind[1]);
+    if (!is_name) return {};
+    if (at_the_begin && is_near("PROC")) return "PROC";
+    return is_typing_slip(capitals, "EXTERN") ? "EXTERN" : "";
+}
+
+std::string_view command_meant_by(std::string_view capitals) {
+    for (const WordRow& row : words())
+        if (is_command(row) && is_typing_slip(capitals, row.name)) return row.name;
+    for (const GCodeRow& row : g_codes())
+        if (std::ranges::none_of(row.name, is_digit) && is_typing_slip(capitals, row.name)) return row.name;
+    return {};
+}
 
 } // namespace maclint::sinumerik

@@ -20,4 +20,10 @@ namespace maclint::sinumerik {
 /// The word of a jump, likewise; it has a label behind it.
 [[nodiscard]] std::string_view jump_meant_by(std::string_view capitals);
 
+/// DEF, PROC or EXTERN, judged by the word behind it too; PROC only where nothing was done before.
+[[nodiscard]] std::string_view declaration_meant_by(std::string_view capitals, std::string_view behind,
+                                                    bool at_the_begin);
+/// A procedure, a code of several letters, MCALL or CALL.
+[[nodiscard]] std::string_view command_meant_by(std::string_view capitals);
+
 } // namespace maclint::sinumerik

@@ -29,6 +29,7 @@ void BlockLowering::lower(const syntax::Tree& tree, Span block, OpenProgram& pro
         items_.clear();
         for_each_child(*node, [this](const Node& child) { items_.push_back(&child); });
         const std::span<const Node* const> items = take_head(lowered, items_);
+        if (lower_misspelt_declaration(items)) return end_block(lowered);
         check_alone(items, lowered);
         check_action_number(items);
         note_first_code(items);
@@ -56,9 +57,12 @@ void BlockLowering::lower_foreign() {
 }
 
 void BlockLowering::add_unreadable(const Block& head, OpenProgram& program) {
-    program.builder.begin_block();
-    program.builder.add_unreadable(names_in(program, head.span), head.span);
-    program.builder.end_block(head);
+    static const syntax::Tree none;
+    begin_block(none, head.span, program.builder);
+    open_ = &program;
+    pass_over_names(head.span, declares_program(program_->text, head.span));
+    builder_->add_unreadable(names_in(program, head.span), head.span);
+    builder_->end_block(head);
 }
 
 /// Takes skip mark, block number and label off the front of a block; the rest is what it does.
@@ -132,7 +136,10 @@ void BlockLowering::lower_statement(const Node& node) {
     switch (kind_of(node)) {
     case Kind::definition: lower_definition(node); break;
     case Kind::macro_definition:
-        if (const Node* name = child(node, Field::name)) open_->macros.insert(upper_text(*name));
+        if (const Node* name = child(node, Field::name)) {
+            open_->macros.insert(upper_text(*name));
+            give_name(upper_text(*name));
+        }
         break;
     case Kind::program_definition: lower_program_definition(node); break;
     case Kind::if_statement: lower_if(node); break;

@@ -117,6 +117,10 @@ void BlockLowering::lower_external(const Node& node) {
     builder_->add_external(std::move(declared));
 }
 
+void BlockLowering::give_name(std::string capitals) {
+    if (open_->is_for_all) builder_->give_name(std::move(capitals));
+}
+
 void BlockLowering::define_array(const Node& name, const Node& size, std::string_view type) {
     Array array{{}, type, span(name)};
     bool gap = true; // between commas nothing stands yet
@@ -130,6 +134,7 @@ void BlockLowering::define_array(const Node& name, const Node& size, std::string
         }
     });
     if (gap) array.sizes.emplace_back();
+    give_name(upper_text(name));
     open_->arrays.insert_or_assign(upper_text(name), std::move(array));
 }
 
@@ -157,6 +162,7 @@ void BlockLowering::lower_declarator(const Node& node, const Node& type) {
     if (initial) declaration.initial = literal_value(*initial);
     builder_->declare(variable, declaration);
     open_->variables.emplace(capitals, variable);
+    give_name(capitals);
     if (initial && !declaration.initial) effect({Assign{variable, *initial}, span(node)});
 }
 
@@ -179,6 +185,7 @@ void BlockLowering::lower_named(const Node& name, const Node* arguments, const N
             return builder_->add_unreadable({{}, {}, true, false}, here);
         }
         if (arguments == nullptr && (report_letter_o(capitals, here) || report_slip(capitals, here))) return;
+        note_misspelt_word(capitals, here);
         return call_program(span(name), arguments, calls::by_name, here);
     }
     switch (row->kind) {
@@ -189,42 +196,6 @@ void BlockLowering::lower_named(const Node& name, const Node* arguments, const N
     }
 }
 
-/// `GO X5`: the letter for the figure. Alone in its block it may be a program.
-bool BlockLowering::report_letter_o(std::string_view capitals, Span here) {
-    constexpr std::string_view addresses = "GXYZIJKFSM";
-    const bool code = capitals.size() > 1 && addresses.find(capitals.front()) != std::string_view::npos &&
-                      capitals.find_first_not_of("O0123456789", 1) == std::string_view::npos;
-    const auto words =
-        std::ranges::count_if(items_, [](const Node* item) { return !is_head(kind_of(*item)); });
-    if (!code || words < 2) return false;
-    std::string meant(capitals);
-    std::ranges::replace(meant, 'O', '0');
-    report(SyntaxErrorKind::letter_o, here, meant);
-    return true;
-}
-
-/// `ENDI` alone in its block, `GOTFO NEXT`: what stands there may open or close something, or jump.
-bool BlockLowering::report_slip(std::string_view capitals, Span here) {
-    const auto content = static_cast<std::size_t>(
-        std::ranges::count_if(items_, [](const Node* item) { return !is_head(kind_of(*item)); }));
-    const auto is_name = [](const Node* item) { return kind_of(*item) == Kind::command; };
-    const auto is_if = [](const Node* item) { return kind_of(*item) == Kind::if_statement; };
-    const auto names = static_cast<std::size_t>(std::ranges::count_if(items_, is_name));
-    const auto ifs = static_cast<std::size_t>(std::ranges::count_if(items_, is_if));
-    constexpr std::size_t word_and_label = 2;
-    std::string_view meant;
-    if (content == 1) meant = closer_meant_by(capitals);
-    if (content == 1 && meant.empty()) meant = bare_opener_meant_by(capitals);
-    if (names == word_and_label && content == names + ifs) meant = jump_meant_by(capitals);
-    if (names >= word_and_label && ifs == 0 && here.begin == span(*items_[items_.size() - content]).begin &&
-        opener_meant_by(capitals) == "REPEAT")
-        meant = "REPEAT"; // of a part of the program
-    if (meant.empty()) return false;
-    report(SyntaxErrorKind::unknown_keyword, here, std::string(meant));
-    builder_->add_unreadable({{}, {}, true, true}, here);
-    return true;
-}
-
 /// Variables that stand alone as arguments may be results: READ(STATE, …).
 void BlockLowering::lower_procedure(std::string_view name, const Node* arguments, Span whole) {
     if (name == "RET" || name == "RETB") {
@@ -232,7 +203,9 @@ void BlockLowering::lower_procedure(std::string_view name, const Node* arguments
         if (arguments != nullptr) label = nobody_knows(whole);
         return go_back(label, whole);
     }
+    const bool around = std::exchange(names_axes_, true); // RELEASE(LOADER)
     const std::vector<ExpressionId> values = values_of(arguments);
+    names_axes_ = around;
     std::vector<Variable> in;
     constexpr std::string_view without_results[] = {"MSG", "SETAL", "WAITM", "WAITE", "WAITMC", "WAITP"};
     if (std::ranges::find(without_results, name) == std::end(without_results))

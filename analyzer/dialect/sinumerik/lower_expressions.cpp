@@ -12,6 +12,7 @@
 #include <charconv>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 namespace maclint::sinumerik {
 namespace {
@@ -126,7 +127,7 @@ ExpressionId BlockLowering::lower_name(const Node& node) {
     if (name == "TRUE") return literal(1, here);
     if (name == "FALSE") return literal(0, here);
     if (open_->arrays.contains(name)) return nobody_knows(here);
-    note_unknown(node);
+    note_unknown(node, true);
     return changing(name, here);
 }
 
@@ -162,7 +163,11 @@ ExpressionId BlockLowering::lower_system_variable(const Node& node) {
             if (const auto number = literal_value(lower_expression(*group)))
                 if (const auto row = row_of_g_group(static_cast<int>(*number)))
                     return add({LoadModal{*row}, span(node)});
-    if (index != nullptr) evaluate(lower_all(*index, span(node)), span(node));
+    if (index != nullptr) { // $AA_IW[LOADER]
+        const bool around = std::exchange(names_axes_, true);
+        evaluate(lower_all(*index, span(node)), span(node));
+        names_axes_ = around;
+    }
     return changing(without_blanks(text(node)), span(node));
 }
 

@@ -91,6 +91,16 @@ void BlockLowering::watch_distance(std::span<const Node* const> items, const Blo
     }
 }
 
+/// The value, or what a number is added to or taken from: `$P_EP[X]-5`.
+const syntax::Node* BlockLowering::without_number(const Node& value) const {
+    if (kind_of(value) != Kind::binary) return &value;
+    const Node* left = child(value, Field::left);
+    const Node* right = child(value, Field::right);
+    const Node* sign = child(value, Field::operation);
+    if (left == nullptr || right == nullptr || sign == nullptr || kind_of(*right) != Kind::number) return &value;
+    return text(*sign) == "+" || text(*sign) == "-" ? left : &value;
+}
+
 /// A position that was read is no distance: `G91 G1 X=$P_EP[X]`, `X=IC($P_EP[X])`.
 void BlockLowering::check_distance(const Node& word, const Node& value) {
     const Node* read = &value;
@@ -102,6 +112,7 @@ void BlockLowering::check_distance(const Node& word, const Node& value) {
         distance = upper_text(*function) == "IC";
         read = only_child(*list);
     }
+    if (read != nullptr) read = without_number(*read);
     if (!distance || read == nullptr || kind_of(*read) != Kind::system_variable) return;
     const Node* name = child(*read, Field::name);
     if (name == nullptr || !is_position(upper_text(*name))) return;

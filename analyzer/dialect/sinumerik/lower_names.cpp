@@ -7,7 +7,9 @@
 #include "analyzer/dialect/sinumerik/words.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <iterator>
+#include <utility>
 
 namespace maclint::sinumerik {
 namespace {
@@ -108,7 +110,13 @@ void BlockLowering::check_system_variable(const Node& node) {
 
 void BlockLowering::lower_index(const Node& node, Span whole) {
     const Node* list = child(node, Field::index);
+    const Node* name = child(node, Field::name);
+    if (name != nullptr) note_unknown(*name, true);
+    // POS[LOADER]=5: a word of the language takes axes there.
+    const bool of_axes = name == nullptr || find_word(upper_text(*name)) != nullptr;
+    const bool around = std::exchange(names_axes_, names_axes_ || of_axes);
     const std::vector<ExpressionId> indices = values_of(list);
+    names_axes_ = around;
     check_index(node, indices);
     if (list != nullptr) evaluate(apply(Operation::unknown, indices, span(*list)), whole);
 }
@@ -164,15 +172,17 @@ void BlockLowering::check_text(const Node& node) {
         report(SyntaxErrorKind::text_too_long, span(node), std::to_string(limits::text));
 }
 
-/// What the machine's maker or another program defines is known to nobody here; a slip in one of the
-/// program's own names is told at its end.
-void BlockLowering::note_unknown(const Node& name) {
-    if (kind_of(name) != Kind::name) return;
-    std::string capitals = upper_text(name);
-    if (find_word(capitals) != nullptr || find_g_code(capitals) != nullptr ||
-        open_->macros.contains(capitals))
+/// What the machine's maker or another file defines, or a slip: the program's end shows whether all else is
+/// defined. Names with `_` in front are those of SIEMENS's cycles [T].
+void BlockLowering::note_unknown(const Node& name, bool is_read) {
+    if (kind_of(name) != Kind::name || names_axes_) return;
+    const std::string capitals = upper_text(name);
+    if (capitals.starts_with('_') || find_word(capitals) != nullptr || find_g_code(capitals) != nullptr ||
+        open_->macros.contains(capitals) || open_->arrays.contains(capitals))
         return;
-    open_->unknown.push_back({std::move(capitals), span(name)});
+    Uses& uses = open_->unknown.try_emplace(capitals, Uses{.first = span(name)}).first->second;
+    ++uses.count;
+    uses.is_read |= is_read;
 }
 
 // ---- types
@@ -213,6 +223,8 @@ void BlockLowering::check_stored(std::string_view type, const Node& value) {
         const auto number = literal_value(lower_expression(value));
         if (number && *number > limits::last_integer)
             report(SyntaxErrorKind::integer_overflow, span(value), "2147483647");
+        else if (number && *number != std::floor(*number))
+            report(SyntaxErrorKind::fraction_for_integer, span(value), "");
     }
     if (type == text_type && is_number_type(given))
         report(SyntaxErrorKind::number_for_text, span(value), std::string(type));

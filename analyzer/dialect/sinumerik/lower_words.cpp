@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <array>
+#include <utility>
 
 namespace maclint::sinumerik {
 namespace {
@@ -153,12 +154,14 @@ void BlockLowering::store(const Node& target, ExpressionId value, Span whole) {
             if (const auto* at = std::get_if<LoadAt>(&read.node))
                 return effect({Assign{StoreAt{at->family, at->index}, value}, whole});
         }
+        const bool around = std::exchange(names_axes_, true);
         evaluate(lower_all(*index, whole), whole);
+        names_axes_ = around;
         evaluate(value, whole);
         break;
     }
     case Kind::name:
-        note_unknown(target);
+        note_unknown(target, false);
         set_rounding(upper_text(target), value, whole);
         add_word(upper_text(target), value, whole);
         moves_ |= upper_text(target) == "AP" || upper_text(target) == "RP"; // a pole's angle and radius

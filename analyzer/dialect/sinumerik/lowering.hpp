@@ -47,6 +47,7 @@ class BlockLowering : private TreeLowering {
     void lower_action(const Node& node);
     void check_action_target(const Node& target);
     void watch_distance(std::span<const Node* const> items, const Block& head);
+    [[nodiscard]] const Node* without_number(const Node& value) const;
     void check_distance(const Node& word, const Node& value);
     void check_action_number(std::span<const Node* const> items);
 
@@ -72,10 +73,9 @@ class BlockLowering : private TreeLowering {
     void lower_definition(const Node& node);
     void lower_declarator(const Node& node, const Node& type);
     void lower_external(const Node& node);
+    void give_name(std::string capitals);
     void define_array(const Node& name, const Node& size, std::string_view type);
     void lower_named(const Node& name, const Node* arguments, const Node& whole);
-    bool report_letter_o(std::string_view capitals, Span here);
-    bool report_slip(std::string_view capitals, Span here);
     void lower_procedure(std::string_view name, const Node* arguments, Span whole);
     void call_program(Span name, const Node* arguments, CallKindId kind, Span whole);
     void call_anything(Span whole);
@@ -84,6 +84,14 @@ class BlockLowering : private TreeLowering {
     [[nodiscard]] std::vector<Argument> arguments_of(const Node* list);
     [[nodiscard]] std::vector<ExpressionId> values_of(const Node* list);
     [[nodiscard]] std::string_view type_name(const Node& type) const;
+
+    // ---- misspelt words of the language (lower_slips.cpp)
+    bool report_letter_o(std::string_view capitals, Span here);
+    bool report_slip(std::string_view capitals, Span here);
+    void note_misspelt_word(std::string_view capitals, Span here);
+    bool lower_misspelt_declaration(std::span<const Node* const> items);
+    void pass_over_names(Span block, bool of_the_program);
+    [[nodiscard]] std::size_t words_in_block() const;
 
     // ---- words (lower_words.cpp)
     void lower_word(const Node& node);
@@ -141,7 +149,7 @@ class BlockLowering : private TreeLowering {
     void check_index(const Node& node, std::span<const ExpressionId> indices);
     void check_initial_values(const Node& declarator);
     void check_text(const Node& node);
-    void note_unknown(const Node& name);
+    void note_unknown(const Node& name, bool is_read);
     void check_operands(const Node& calculation);
     void check_stored(std::string_view type, const Node& value);
     [[nodiscard]] std::string_view type_of_value(const Node& node) const;
@@ -156,6 +164,7 @@ class BlockLowering : private TreeLowering {
     std::vector<std::string> case_values_; ///< of the CASE being read
     bool moves_ = false, stays_ = false;   ///< words of axes; a code that takes them for something else
     std::optional<ExpressionId> passes_;   ///< P of a call
+    bool names_axes_ = false;              ///< what is read stands where axes are named
 };
 
 } // namespace maclint::sinumerik

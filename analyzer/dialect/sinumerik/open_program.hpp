@@ -12,13 +12,10 @@
 #include <optional>
 #include <string>
 #include <unordered_map>
-#include <unordered_set>
 #include <utility>
 #include <vector>
 
 namespace maclint::sinumerik {
-
-using NameSet = std::unordered_set<std::string, TextHash, std::equal_to<>>;
 
 /// What DEF or PROC says of an array.
 struct Array {
@@ -34,17 +31,25 @@ struct NamedPlace {
     Span span;
 };
 
+/// The places of a name.
+struct Uses {
+    Span first;
+    std::size_t count = 0;
+    bool is_read = false; ///< what is only written to may be an axis, whose name the machine's maker gives
+};
+
 struct OpenProgram {
     ProgramBuilder builder;
 
     // Of the blocks before; set by the lowering. Names are in capitals.
     VariablesByName variables = {}; ///< that DEF and PROC declare, arrays left out
     Arrays arrays = {};
-    NameSet macros = {}; ///< that DEFINE declares: each stands for any piece of a block
+    TextSet macros = {}; ///< that DEFINE declares: each stands for any piece of a block
     /// The counters of the open FORs; nothing where the loop counts in no single variable.
     std::vector<std::optional<Variable>> counters = {};
     /// What PROC … SAVE keeps for the caller: groups, and where their codes are kept.
     std::vector<std::pair<GroupId, Variable>> saved = {};
+    bool is_for_all = false;              ///< what it defines all programs may use
     bool has_file_name = false;           ///< its name is that of a file as the control has them
     Span first_code = {};                 ///< the first block that does something; empty: none so far
     std::optional<NamedPlace> frame = {}; ///< that the block before has written, with which nothing moved
@@ -52,7 +57,9 @@ struct OpenProgram {
                               ///< elsewhere
     std::vector<NamedPlace> labels = {};
     std::vector<NamedPlace> both_ways = {}; ///< jumps that look in both directions
-    std::vector<NamedPlace> unknown = {};   ///< names that the program does not define
+    std::unordered_map<std::string, Uses, TextHash, std::equal_to<>> unknown = {}; ///< names that the program
+                                                                                  ///< does not define
+    TextSet unread = {}; ///< names in blocks that cannot be read: they may define them
     std::vector<NamedPlace> repeated = {};  ///< parts of the program that REPEAT names
     /// From G291 to G290 the blocks are of another language [T].
     bool foreign_language = false;

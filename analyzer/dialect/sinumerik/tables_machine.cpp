@@ -16,17 +16,25 @@ constexpr std::array<double, 4> of_machine = {53, 153, 74, 75};
 constexpr std::array<double, 5> threads = {10, 11, 12, 16, 17}; ///< members: G33, G331, G332, G34, G35
 // Poles and angles; POS moves an axis by itself.
 constexpr std::array<std::string_view, 5> other_targets = {"AP", "RP", "ANG", "POS", "POSA"};
+constexpr std::array<double, 1> clamping = {26}; ///< G26 S2000
+constexpr double surface_speed = 4; ///< member of its group: G96
 constexpr double rapid = 1, absolute = 1; ///< members of their groups: G0, G90
 
 constexpr MachineWords words = {.axes = {'X', 'Y', 'Z'},
                                 .centres = {'I', 'J', 'K'},
                                 .radius_address = "CR",
                                 .other_targets = other_targets,
+                                .diameter_by_code = true,
                                 .lengths_without_point = true,
                                 .rapid = rapid,
                                 .absolute = absolute,
                                 .threads = threads,
                                 .of_machine = of_machine,
+                                .clamping = clamping,
+                                .surface_speed = surface_speed,
+                                .speed_mode = ModalRole::feed_mode,
+                                .clamp_address = "LIMS",
+                                .side_by_off = true, // SEED-004:242
                                 .aside = aside,
                                 .coolant_on = coolant,
                                 .circle_tolerance = 0.02,

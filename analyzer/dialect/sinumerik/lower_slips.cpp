@@ -1,0 +1,97 @@
+//! Words of the language that are misspelt: the grammar takes them for names.
+#include "analyzer/dialect/ascii.hpp"
+#include "analyzer/dialect/characters.hpp"
+#include "analyzer/dialect/sinumerik/diagnose.hpp"
+#include "analyzer/dialect/sinumerik/g_codes.hpp"
+#include "analyzer/dialect/sinumerik/keywords.hpp"
+#include "analyzer/dialect/sinumerik/lexer.hpp"
+#include "analyzer/dialect/sinumerik/lowering.hpp"
+#include "analyzer/dialect/sinumerik/words.hpp"
+
+#include <algorithm>
+#include <iterator>
+#include <string>
+#include <string_view>
+#include <utility>
+
+namespace maclint::sinumerik {
+
+std::size_t BlockLowering::words_in_block() const {
+    return static_cast<std::size_t>(
+        std::ranges::count_if(items_, [](const Node* item) { return !is_head(kind_of(*item)); }));
+}
+
+/// `GO X5`, `MO`: the letter for the figure. Alone in its block only what a program would hardly be named.
+bool BlockLowering::report_letter_o(std::string_view capitals, Span here) {
+    constexpr std::string_view addresses = "GXYZIJKFSM";
+    const bool code = capitals.size() > 1 && addresses.find(capitals.front()) != std::string_view::npos &&
+                      capitals.find_first_not_of("O0123456789", 1) == std::string_view::npos;
+    if (!code) return false;
+    constexpr std::string_view often_alone[] = {"GO", "XO", "YO", "ZO", "MO"};
+    const bool alone = words_in_block() < 2;
+    if (alone && std::ranges::find(often_alone, capitals) == std::end(often_alone)) return false;
+    std::string meant(capitals);
+    std::ranges::replace(meant, 'O', '0');
+    report(SyntaxErrorKind::letter_o, here, meant);
+    return true;
+}
+
+/// `ENDI` alone in its block, `GOTFO NEXT`: what stands there may open or close something, or jump.
+bool BlockLowering::report_slip(std::string_view capitals, Span here) {
+    const std::size_t content = words_in_block();
+    const auto is_name = [](const Node* item) { return kind_of(*item) == Kind::command; };
+    const auto is_if = [](const Node* item) { return kind_of(*item) == Kind::if_statement; };
+    const auto names = static_cast<std::size_t>(std::ranges::count_if(items_, is_name));
+    const auto ifs = static_cast<std::size_t>(std::ranges::count_if(items_, is_if));
+    constexpr std::size_t word_and_label = 2;
+    std::string_view meant;
+    if (content == 1) meant = closer_meant_by(capitals);
+    if (content == 1 && meant.empty()) meant = bare_opener_meant_by(capitals);
+    if (names == word_and_label && content == names + ifs) meant = jump_meant_by(capitals);
+    if (names >= word_and_label && ifs == 0 && here.begin == span(*items_[items_.size() - content]).begin &&
+        opener_meant_by(capitals) == "REPEAT")
+        meant = "REPEAT"; // of a part of the program
+    if (meant.empty()) return false;
+    report(SyntaxErrorKind::unknown_keyword, here, std::string(meant));
+    builder_->add_unreadable({{}, {}, true, true}, here);
+    return true;
+}
+
+/// `TRNAS X40`, `STOPPRE`: a program of the shop may have the name, so that the rule looks for it.
+void BlockLowering::note_misspelt_word(std::string_view capitals, Span here) {
+    if (const std::string_view meant = command_meant_by(capitals); !meant.empty())
+        builder_->add_unknown_name({std::string(capitals), here, std::string(meant), false});
+}
+
+/// `DFE INT COUNT`, `PORC SLOT(REAL DEPTH)`: the block declares something, and nobody knows what.
+bool BlockLowering::lower_misspelt_declaration(std::span<const Node* const> items) {
+    if (items.size() < 2 || kind_of(*items.front()) != Kind::command) return false;
+    const std::string first = upper_text(*items.front());
+    if (find_word(first) != nullptr || find_g_code(first) != nullptr || variable_named(first) != nullptr ||
+        open_->macros.contains(first))
+        return false;
+    const std::string_view meant =
+        declaration_meant_by(first, upper_text(*items[1]), open_->first_code.empty());
+    if (meant.empty()) return false;
+    report(SyntaxErrorKind::unknown_keyword, span(*items.front()), std::string(meant));
+    pass_over_names(block_, meant == "PROC");
+    return true;
+}
+
+/// What the names in the block stand for nobody knows. A PROC that cannot be read has parameters that are not
+/// known, and may say SAVE.
+void BlockLowering::pass_over_names(Span block, bool of_the_program) {
+    bool saves = false;
+    const std::string_view file = program_->text;
+    for (const Token& token : tokens_of(file, block)) {
+        if (token.kind != Token::Kind::name) continue;
+        std::string name = in_capitals(file.substr(token.span.begin, token.span.length()));
+        saves |= name == "SAVE";
+        open_->unread.insert(std::move(name));
+    }
+    if (!of_the_program) return;
+    builder_->set_parameters_unknown();
+    if (saves) save_modes(block);
+}
+
+} // namespace maclint::sinumerik

@@ -1,0 +1,33 @@
+//! What files of definitions give to all programs of their language.
+#pragma once
+
+#include "analyzer/workspace/names_elsewhere.hpp"
+#include "analyzer/workspace/outline.hpp"
+#include "cli/engine/snapshot.hpp"
+
+#include <map>
+#include <memory>
+#include <set>
+#include <span>
+#include <string>
+#include <string_view>
+#include <utility>
+
+namespace maclint::cli {
+
+class Definitions {
+  public:
+    Definitions() = default;
+    /// One outline a file, in the same order.
+    Definitions(const Snapshot& snapshot, std::span<const FileOutline> outlines);
+
+    /// Of the names of the language that a file's programs may use without defining them, those that are
+    /// known. They are all where the configuration says so, or where files of definitions lie by the file.
+    [[nodiscard]] NamesElsewhere names_for(const SnapshotFile& file, std::string_view language) const;
+
+  private:
+    std::map<std::string_view, std::shared_ptr<TextSet>> names_;  ///< by language
+    std::set<std::pair<std::string_view, std::string>> folders_; ///< languages, and folders with such files
+};
+
+} // namespace maclint::cli
