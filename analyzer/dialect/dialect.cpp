@@ -1,10 +1,13 @@
 //! The registry of dialects and controls.
 #include "analyzer/dialect/dialect.hpp"
 
+#include "analyzer/dialect/dinplus/language_words.hpp"
 #include "analyzer/dialect/dinplus/read.hpp"
 #include "analyzer/dialect/dinplus/tables.hpp"
+#include "analyzer/dialect/fanuc/language_words.hpp"
 #include "analyzer/dialect/fanuc/read.hpp"
 #include "analyzer/dialect/fanuc/tables.hpp"
+#include "analyzer/dialect/sinumerik/language_words.hpp"
 #include "analyzer/dialect/sinumerik/read.hpp"
 #include "analyzer/dialect/sinumerik/tables.hpp"
 
@@ -16,11 +19,11 @@ namespace {
 
 // clang-format off
 constexpr std::array<Dialect, 4> all_dialects{{
-    // name    description                                     control   comments  reader
-    {"fanuc",  "FANUC Custom Macro B and look-alikes",         "fanuc",  "(", ")", fanuc::read},
-    {"nct",    "NCT 100 series, a FANUC look-alike",           "nct",    "(", ")", fanuc::read},
-    {"dinplus","HEIDENHAIN DIN PLUS",                          "dinplus","[", "]", dinplus::read},
-    {"sinumerik","SIEMENS SINUMERIK 840D sl, 828D, 808D, ONE", "sinumerik", ";", "", sinumerik::read},
+    // name    description                                     control   comments  reader, words
+    {"fanuc",  "FANUC Custom Macro B and look-alikes",         "fanuc",  "(", ")", fanuc::read, fanuc::language_words},
+    {"nct",    "NCT 100 series, a FANUC look-alike",           "nct",    "(", ")", fanuc::read, fanuc::language_words},
+    {"dinplus","HEIDENHAIN DIN PLUS",                          "dinplus","[", "]", dinplus::read, dinplus::language_words},
+    {"sinumerik","SIEMENS SINUMERIK 840D sl, 828D, 808D, ONE", "sinumerik", ";", "", sinumerik::read, sinumerik::language_words},
 }};
 // clang-format on
 

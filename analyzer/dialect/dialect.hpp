@@ -12,6 +12,7 @@
 
 namespace maclint {
 
+struct LanguageTables; // language_words.hpp
 struct ProgramFile;
 
 /// How much of a text is read.
@@ -28,6 +29,7 @@ struct Dialect {
     std::string_view default_control;             ///< the control assumed when nobody names one
     std::string_view comment_open, comment_close; ///< for suppressions and examples
     ProgramFile (*read)(std::shared_ptr<const Source>, const ControlModel&, Extent);
+    LanguageTables (*words)(); ///< what its words mean, for people and editors
 };
 
 [[nodiscard]] std::span<const Dialect> dialects();

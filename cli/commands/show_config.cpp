@@ -224,6 +224,9 @@ FileFacts facts_of(const SnapshotFile& file, const ReadFile& read) {
                                                 settings.configuration->known_names->beginnings.size()),
                   settings.configuration->said_in("known-names"));
     add_baseline(settings, facts);
+    if (settings.configuration && !settings.configuration->words.empty())
+        facts.add("words of the shop", std::to_string(settings.configuration->words.size()),
+                  settings.configuration->said_in("words"));
     facts.add("encoding", std::string(name_of(read.source->stored_encoding())));
     add_rules(*settings.rules, facts);
     return facts;

@@ -10,6 +10,7 @@
 #include "cli/config/glob_set.hpp"
 #include "cli/config/own_control.hpp"
 #include "cli/config/reach.hpp"
+#include "cli/config/shop_words.hpp"
 #include "cli/notice.hpp"
 #include "rules/finding.hpp"
 
@@ -79,6 +80,7 @@ struct Configuration {
     GlobSet vendor_by_glob;        ///< in the order of `vendor`
     bool vendor_by_remarks = true; ///< elsewhere the first remarks of a program tell
     std::optional<Encoding> encoding;
+    ShopWords words;
     bool complete = false;
     std::shared_ptr<const ListedNames> known_names; ///< nullptr: it lists none
     std::string baseline; ///< path as it is shown, from the working folder; empty: none

@@ -79,6 +79,7 @@ class Loader {
             {"vendor", &Loader::read_vendor},
             {"encoding", &Loader::read_encoding},
             {"baseline", &Loader::read_baseline},
+            {"words", &Loader::read_words},
         }};
         return rows;
     }
@@ -112,7 +113,7 @@ class Loader {
     }
 
     static bool is_merged(std::string_view key) {
-        return key == "controls" || key == "severity" || key == "per-file-ignores";
+        return key == "controls" || key == "severity" || key == "per-file-ignores" || key == "words";
     }
 
     /// Only what the command line names may be a pipe: many that are found would be waited for one by one.
@@ -482,6 +483,24 @@ class Loader {
     /// Relative to the file that names it.
     void read_baseline(const JsonNode& node) {
         configuration_->baseline = file_named(node, "'baseline'", configuration_->sources.back().path());
+    }
+
+    /// What the nearer file says of a word counts.
+    void read_words(const JsonNode& node) {
+        std::unordered_set<std::string> here;
+        for (const JsonMember& member : object(node, "'words'")) {
+            require_words(member.key, member.key_span, "a key of 'words'");
+            const auto word = one_spelling(member.key);
+            if (!word)
+                reject(member.key_span, "'" + member.key +
+                                            "' is no word of a program. Write a code or a variable as "
+                                            "programs write it, for instance \"M53\" or \"#550\"");
+            if (!here.insert(*word).second)
+                reject(member.key_span, "'words' says what '" + *word + "' is twice. Leave one of them out");
+            const std::string& meaning = text(member.node, "what a word means");
+            require_words(meaning, member.node.span, "what '" + member.key + "' means");
+            configuration_->words.try_emplace(*word, meaning);
+        }
     }
 
     // ---- values of a kind

@@ -71,6 +71,20 @@ std::string owner_of(const CodePage& page, const ControlModel* only) {
     return owner;
 }
 
+std::string with_remarks(const BookLine& word, const ControlModel* only) {
+    const std::string remarks = remarks_of(word, only);
+    return std::string(word.row.means) + (remarks.empty() ? "" : " (" + remarks + ")");
+}
+
+bool is_word_on(const BookLine& line, const ControlModel* only) {
+    return line.kind == BookLine::Kind::word && (only == nullptr || maclint::is_of(line, *only));
+}
+
+/// One that nobody has named may be any of its language: nullptr.
+const ControlModel* control_meant(const ControlModel& control) {
+    return control.assumed ? nullptr : &control;
+}
+
 /// Under its group, on a control that has the code.
 std::vector<std::string> force_on(const CodePage& page, const ControlModel* only) {
     const auto on = controls_of(page, only);
@@ -94,11 +108,9 @@ std::string plain_code_page(const CodePage& page, const ControlModel* only, cons
     out.add_heading("Its words:");
     bool has_words = false;
     for (const BookLine& line : page.lines) {
-        if (line.kind != BookLine::Kind::word || (only != nullptr && !maclint::is_of(line, *only))) continue;
+        if (!is_word_on(line, only)) continue;
         has_words = true;
-        const std::string remarks = remarks_of(line, only);
-        out.add_item(std::string(line.row.words) + ": " + std::string(line.row.means) +
-                     (remarks.empty() ? "" : " (" + remarks + ")"));
+        out.add_item(std::string(line.row.words) + ": " + with_remarks(line, only));
     }
     if (!has_words) out.add_item("none");
     out.add_heading("Rules that watch it:");
@@ -130,6 +142,24 @@ bool counts_lines(const CodeBook& book) {
 }
 
 } // namespace
+
+std::string short_code_page(const CodePage& page, const ControlModel& control) {
+    std::string text = "**" + all_of(page.head->row.code) + "** " + std::string(page.head->row.means);
+    for (const std::string& line : force_on(page, &control)) text += "\n- " + line;
+    const ControlModel* only = control_meant(control);
+    for (const BookLine& line : page.lines)
+        if (is_word_on(line, only))
+            text += "\n- `" + std::string(line.row.words) + "` " + with_remarks(line, only);
+    return text;
+}
+
+std::optional<std::string> word_of_page(const CodePage& page, std::string_view address,
+                                        const ControlModel& control) {
+    const ControlModel* only = control_meant(control);
+    for (const BookLine& line : page.lines)
+        if (is_word_on(line, only) && has_word(line.row.words, address)) return with_remarks(line, only);
+    return std::nullopt;
+}
 
 std::vector<const CodeBook*> books_of(std::string_view language) {
     std::vector<const CodeBook*> books;

@@ -5,6 +5,7 @@
 #include "rules/words/word_list.hpp"
 
 #include <algorithm>
+#include <vector>
 
 namespace maclint::cli {
 namespace {
@@ -16,12 +17,10 @@ bool equal_without_case(std::string_view a, std::string_view b) {
     return std::ranges::equal(a, b, {}, in_capital, in_capital);
 }
 
-std::string page_of(const ControlModel& control, GroupId id, const ModalMember& member,
-                    const PageStyle& style) {
+/// Its group, what ends it.
+std::vector<std::string> lines_of(const ControlModel& control, GroupId id, const ModalMember& member) {
     const ModalGroup& group = control.groups[id];
-    PlainPage out(style);
-    out.add_title(control.spell(id, member.number), control.description);
-    out.add_heading("In force:");
+    std::vector<std::string> lines;
     std::string others;
     for (const ModalMember& other : group.members)
         if (other.number != member.number)
@@ -29,13 +28,23 @@ std::string page_of(const ControlModel& control, GroupId id, const ModalMember& 
     constexpr std::size_t most_listed = 16;
     const std::string until =
         group.members.size() > most_listed ? "another code of its group" : either_of(others);
-    out.add_item(std::string(group.name) + (others.empty() ? "" : ", until " + until));
+    lines.push_back(std::string(group.name) + (others.empty() ? "" : ", until " + until));
     if (group.cancel == member.number)
-        out.add_item("it cancels the others of its group");
+        lines.emplace_back("it cancels the others of its group");
     else if (group.cancel)
-        out.add_item("cancelled by " + (group.cancel_words.empty() ? control.spell(id, *group.cancel)
-                                                                   : std::string(group.cancel_words)));
-    if (group.reset == member.number) out.add_item("in force when a program begins");
+        lines.push_back("cancelled by " + (group.cancel_words.empty() ? control.spell(id, *group.cancel)
+                                                                      : std::string(group.cancel_words)));
+    if (group.reset == member.number) lines.emplace_back("in force when a program begins");
+    return lines;
+}
+
+std::string page_of(const ControlModel& control, GroupId id, const ModalMember& member,
+                    const PageStyle& style) {
+    const ModalGroup& group = control.groups[id];
+    PlainPage out(style);
+    out.add_title(control.spell(id, member.number), control.description);
+    out.add_heading("In force:");
+    for (const std::string& line : lines_of(control, id, member)) out.add_item(line);
     out.add_heading("Source:");
     out.add_source(group.source);
     return out.take();
@@ -49,6 +58,20 @@ std::string plain_group_page(const ControlModel& control, std::string_view code,
         for (const ModalMember& member : control.groups[i].members)
             if (!member.spelling.empty() && equal_without_case(member.spelling, code))
                 return page_of(control, static_cast<GroupId>(i), member, style);
+    return {};
+}
+
+std::string short_group_page(const ControlModel& control, std::string_view code) {
+    for (std::size_t i = 0; i < control.groups.size(); ++i) {
+        const auto id = static_cast<GroupId>(i);
+        for (const ModalMember& member : control.groups[i].members) {
+            const std::string name = control.spell(id, member.number);
+            if (!equal_without_case(name, code)) continue;
+            std::string text = "**" + name + "**";
+            for (const std::string& line : lines_of(control, id, member)) text += "\n- " + line;
+            return text;
+        }
+    }
     return {};
 }
 

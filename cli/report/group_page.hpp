@@ -14,4 +14,7 @@ namespace maclint::cli {
 [[nodiscard]] std::string plain_group_page(const ControlModel& control, std::string_view code,
                                            const PageStyle& style);
 
+/// Markdown of a few lines for an editor, of any code that is in a group; empty where none has it.
+[[nodiscard]] std::string short_group_page(const ControlModel& control, std::string_view code);
+
 } // namespace maclint::cli

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <utility>
 #include <vector>
 
 namespace maclint::cli {
@@ -16,15 +17,6 @@ const VariableRange* range_on(const ControlModel& control, std::int64_t number) 
     for (const VariableFamily& family : control.families)
         if (family.name == "#") return family.find(number);
     return nullptr;
-}
-
-std::string scope_of(const VariableSpace& space) {
-    std::string text = space.scope == Scope::frame ? "each call of a macro has its own"
-                       : space.scope == Scope::shared
-                           ? "all programs share it, until the control is switched off"
-                           : "all programs share it, and it is kept when the control is switched off";
-    if (space.initial_value == InitialValue::vacant) text += "; vacant until something is stored in it";
-    return text;
 }
 
 std::string what_it_is(const ControlModel& control, const VariableRange& range) {
@@ -113,6 +105,22 @@ std::string names_of(const std::vector<const ControlModel*>& on) {
 }
 
 } // namespace
+
+std::string scope_of(const VariableSpace& space) {
+    std::string text = space.scope == Scope::frame ? "each call of a macro has its own"
+                       : space.scope == Scope::shared
+                           ? "all programs share it, until the control is switched off"
+                           : "all programs share it, and it is kept when the control is switched off";
+    if (space.initial_value == InitialValue::vacant) text += "; vacant until something is stored in it";
+    return text;
+}
+
+std::vector<std::string> facts_of_number(const ControlModel& control, const VariableRange& range,
+                                         std::int64_t number) {
+    VariablePage page = page_on(control, range, number);
+    page.lines.insert(page.lines.begin(), std::string(page.what));
+    return std::move(page.lines);
+}
 
 std::optional<std::int64_t> variable_number_in(std::string_view word) {
     constexpr std::size_t most_digits = 9;

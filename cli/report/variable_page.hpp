@@ -7,6 +7,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace maclint::cli {
 
@@ -17,5 +18,12 @@ namespace maclint::cli {
 /// for; empty where none has them.
 [[nodiscard]] std::string plain_variable_pages(std::int64_t number, const ControlModel* only,
                                                const PageStyle& style);
+
+/// What a number of a family is on the control: what it holds, whether it may be written. Sentences without
+/// full stops; the first says what it is.
+[[nodiscard]] std::vector<std::string> facts_of_number(const ControlModel& control,
+                                                       const VariableRange& range, std::int64_t number);
+/// "all programs share it, until the control is switched off"
+[[nodiscard]] std::string scope_of(const VariableSpace& space);
 
 } // namespace maclint::cli

@@ -296,6 +296,10 @@ TEST(Configuration, TellsUnknownKeysWithTheirPlaceAndTheLikelyOne) {
                 HasSubstr("Did you mean 'fanuc'?"));
     EXPECT_THAT(refusal(R"({"severity": {"MAC301": "fatal"}})"), HasSubstr("error, warning or note"));
     EXPECT_THAT(refusal(R"({"encoding": "utf8"})"), HasSubstr("Did you mean 'utf-8'?"));
+    EXPECT_THAT(refusal(R"({"words": {"M 53": "conveyor"}})"), HasSubstr("'M 53' is no word of a program"));
+    EXPECT_THAT(refusal(R"({"words": {"M8": "a", "m08": "b"}})"), HasSubstr("says what 'M8' is twice"));
+    EXPECT_THAT(refusal(R"({"words": {"M8": 8}})"), HasSubstr("what a word means must be a text"));
+    EXPECT_THAT(refusal(R"({"words": ["M8"]})"), HasSubstr("'words' must be an object"));
     EXPECT_THAT(refusal(R"({"ignore": "MAC301"})"), HasSubstr("must be a list"));
     EXPECT_THAT(refusal(R"({"complete": 1})"), HasSubstr("true or false"));
     EXPECT_THAT(refusal(R"({"known-names": ["A*B"]})"), HasSubstr("letters, digits and _"));
@@ -321,6 +325,8 @@ const std::vector<std::string>& texts() {
         R"({"extends": @})",
         R"({"baseline": @})",
         R"({"encoding": @})",
+        R"({"words": {@: "conveyor"}})",
+        R"({"words": {"M53": @}})",
         R"({"include": [@]})",
         R"({"exclude": ["a", @]})",
         R"({"select": [@]})",
@@ -454,6 +460,18 @@ TEST(Configuration, ExtendsAnotherAndReplacesItsLists) {
     ASSERT_EQ(configuration->ignore.size(), 1U);
     EXPECT_EQ(configuration->ignore[0].word, "MAC303");
     EXPECT_TRUE(configuration->complete);
+}
+
+TEST(Configuration, MergesTheWordsOfTheShopByOneSpelling) {
+    const TemporaryFolder folder;
+    folder.write("shop.json", R"({"words": {"M8": "coolant", "#0550": "probe"}})");
+    const auto configuration = load(folder, R"({"extends": "shop.json", "words": {"m08": "gun drill"}})");
+    EXPECT_EQ(configuration->words, (ShopWords{{"M8", "gun drill"}, {"#550", "probe"}}));
+    EXPECT_EQ(*meaning_in(configuration->words, "M008"), "gun drill");
+    EXPECT_EQ(meaning_in(configuration->words, "M80"), nullptr);
+    EXPECT_EQ(one_spelling("g054.10"), "G54.10");
+    EXPECT_EQ(one_spelling("M00"), "M0");
+    EXPECT_EQ(one_spelling("M 8"), std::nullopt);
 }
 
 TEST(Configuration, GivesTheNearerFileAndTheNarrowerWordTheLastWordOnSeverities) {

@@ -3,6 +3,7 @@
 
 #include "cli/lsp/features/read_document.hpp"
 #include "cli/lsp/features/workspace_edit.hpp"
+#include "cli/lsp/mentions/place.hpp"
 #include "cli/renumber/connected_programs.hpp"
 #include "cli/renumber/renumber.hpp"
 
@@ -22,8 +23,6 @@ struct Pointed {
     std::size_t block;
     Span digits; ///< under the cursor
 };
-
-bool touches(Span digits, Offset at) { return digits.begin <= at && at <= digits.end; }
 
 /// The programs of other files that may name blocks of the text.
 std::vector<std::shared_ptr<const ProgramFile>> connected(Session& session, const ReadText& text) {

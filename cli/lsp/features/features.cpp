@@ -6,18 +6,20 @@
 #include "cli/lsp/features/commands.hpp"
 #include "cli/lsp/features/document_symbols.hpp"
 #include "cli/lsp/features/folding.hpp"
+#include "cli/lsp/features/hover.hpp"
 
 #include <array>
 
 namespace maclint::cli::lsp {
 namespace {
 
-constexpr std::array<Method, 9> methods{{
+constexpr std::array<Method, 10> methods{{
     {"textDocument/codeAction", code_actions},
     {"textDocument/definition", definition},
     {"textDocument/documentHighlight", document_highlight},
     {"textDocument/documentSymbol", document_symbols},
     {"textDocument/foldingRange", folding_ranges},
+    {"textDocument/hover", hover},
     {"textDocument/prepareRename", prepare_rename},
     {"textDocument/references", references},
     {"textDocument/rename", rename},
@@ -34,6 +36,7 @@ Json feature_capabilities() {
             {"documentHighlightProvider", true},
             {"documentSymbolProvider", true},
             {"foldingRangeProvider", true},
+            {"hoverProvider", true},
             {"referencesProvider", true},
             {"renameProvider", {{"prepareProvider", true}}},
             {"executeCommandProvider", {{"commands", command_names_of_server()}}}};

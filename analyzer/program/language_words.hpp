@@ -1,0 +1,50 @@
+//! Rows about the words of a language that are neither addresses of one letter nor codes.
+#pragma once
+
+#include "analyzer/program/model.hpp"
+
+#include <cstdint>
+#include <span>
+#include <string_view>
+
+namespace maclint {
+
+/// What a word is in its language.
+enum class WordUse : std::uint8_t {
+    keyword,
+    function,
+    comparison, ///< or logic: stands between two operands
+    statement,  ///< acts by itself: STOPRE, POPEN
+    cycle,      ///< a program that the control brings
+    address,    ///< stands before a value: CR=12.5
+    attribute,  ///< of a program
+    constant,
+    part, ///< names what an index or an argument is about
+};
+
+struct LanguageWord {
+    std::string_view word; ///< capitals
+    WordUse use;
+    std::string_view what;   ///< "sine of an angle"; empty: no more is known than its use
+    std::string_view source; ///< key of docs/sources.md of `what`
+};
+
+/// Where a name stands in a block: behind `before`, where the block also has `word`. Capitals.
+struct NamePlace {
+    enum class Names : std::uint8_t { program, block } names;
+    std::string_view word;   ///< "G65"
+    std::string_view before; ///< "P"
+};
+
+/// What the words of a language mean, and where its names stand.
+struct LanguageTables {
+    std::span<const LanguageWord> words;
+    std::span<const NamePlace> name_places;
+};
+
+/// "keyword", "function".
+[[nodiscard]] std::string_view name_of(WordUse use);
+/// What an operation computes, in words: "square root"; empty where nobody knows.
+[[nodiscard]] std::string_view what_it_computes(Operation operation);
+
+} // namespace maclint
