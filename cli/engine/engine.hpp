@@ -52,6 +52,8 @@ class Engine {
 
     [[nodiscard]] Result analyse(const Snapshot& snapshot, const std::stop_token& stop = {});
     [[nodiscard]] const ProgramStore& store() const { return store_; }
+    /// What looks at files have shown: others may ask and add. May be asked on several threads.
+    [[nodiscard]] OutlineStore& outlines() { return outlines_; }
     /// How many files were looked at, because what they show was not known.
     [[nodiscard]] std::size_t looks() const { return looks_; }
 

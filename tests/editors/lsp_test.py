@@ -139,6 +139,24 @@ vim.cmd('qall!')
   return lines()""".replace("shown()", ""))
         self.assertEqual(told, RENAMED)
 
+    def test_hover_tells_what_a_variable_is(self):
+        self.need("hoverProvider")
+        told = self.told_by_neovim("""
+  go(3, 4)
+  local answers = vim.lsp.buf_request_sync(0, 'textDocument/hover', vim.lsp.util.make_position_params(0, 'utf-16'), 30000)
+  for _, each in pairs(answers or {}) do if each.result then return each.result.contents.value end end""")
+        self.assertIn("**#100**", told)
+        self.assertIn("common variable", told)
+
+    def test_definition_leads_to_the_block(self):
+        self.need("definitionProvider")
+        told = self.told_by_neovim("""
+  go(3, 16)
+  vim.lsp.buf.definition()
+  settled(function() return vim.api.nvim_win_get_cursor(0)[1] == 5 end)
+  return vim.api.nvim_win_get_cursor(0)""")
+        self.assertEqual(told, [5, 1])
+
     def test_a_rule_is_explained(self):
         self.need("executeCommandProvider")
         told = self.told_by_neovim(f"vim.cmd('MaclintExplain {LETTER[0]}') return {{ vim.bo.filetype, lines() }}")
@@ -203,6 +221,20 @@ class EmacsTest(ClientTest):
         told = self.told_by_emacs('(go 4 9) (choose "0") (eglot-code-actions (point) (point) nil t) '
                                   '(eglot--signal-textDocument/didChange) (go 5 2) (eglot-rename "N30") (text)')
         self.assertEqual(told, RENAMED)
+
+    def test_hover_tells_what_a_variable_is(self):
+        self.need("hoverProvider")
+        told = self.told_by_emacs("""(go 3 5)
+  (plist-get (plist-get (jsonrpc-request (eglot--current-server-or-lose) :textDocument/hover (eglot--TextDocumentPositionParams))
+                        :contents) :value)""")
+        self.assertIn("**#100**", told)
+        self.assertIn("common variable", told)
+
+    def test_definition_leads_to_the_block(self):
+        self.need("definitionProvider")
+        told = self.told_by_emacs("""(go 3 17) (xref-find-definitions "LSP identifier at point.")
+  (vector (line-number-at-pos) (current-column))""")
+        self.assertEqual(told, [5, 1])
 
     def test_a_rule_is_explained(self):
         self.need("executeCommandProvider")

@@ -47,6 +47,9 @@ class Analyst {
     /// The user does not want the folders searched now.
     void cancel_folders(const Json& token);
 
+    /// What is known of files from looks at them.
+    [[nodiscard]] OutlineStore& outlines() { return engine_.outlines(); }
+
   private:
     using Clock = std::chrono::steady_clock;
     struct Pass {

@@ -9,16 +9,15 @@
 namespace maclint::cli::lsp {
 
 std::shared_ptr<const ReadText> TextReader::read(const std::string& uri, SnapshotFile file,
-                                                 PositionEncoding encoding) {
+                                                 PositionEncoding encoding, Extent extent) {
     auto opened = open_file(file);
     auto* source = std::get_if<Source>(&opened);
     if (source == nullptr) return nullptr;
-    ReadFile read =
-        read_source(file, std::make_shared<const Source>(std::move(*source)), Extent::whole, store_);
+    ReadFile read = read_source(file, std::make_shared<const Source>(std::move(*source)), extent, store_);
     if (read.file == nullptr || read.not_nc || read.dialect == nullptr) return nullptr;
     LineTable lines(*read.file->source, encoding);
     return std::make_shared<const ReadText>(
-        ReadText{uri, std::move(file), std::move(read), std::move(lines)});
+        ReadText{uri, std::move(file), std::move(read), std::move(lines), {}});
 }
 
 std::shared_ptr<const ReadText> TextReader::read(const Document& document, PositionEncoding encoding) {
@@ -27,14 +26,15 @@ std::shared_ptr<const ReadText> TextReader::read(const Document& document, Posit
         kept->second.document.language == document.language)
         return kept->second.text;
     auto file = files_.file(document);
-    auto text = file ? read(document.uri, *std::move(file), encoding) : nullptr;
+    auto text = file ? read(document.uri, *std::move(file), encoding, Extent::whole) : nullptr;
     by_uri_.insert_or_assign(document.uri, Kept{document, text});
     return text;
 }
 
-std::shared_ptr<const ReadText> TextReader::read_file(const std::string& path, PositionEncoding encoding) {
+std::shared_ptr<const ReadText> TextReader::read_file(const std::string& path, PositionEncoding encoding,
+                                                      Extent extent) {
     auto file = files_.file(path);
-    return file ? read(file_uri(path), *std::move(file), encoding) : nullptr;
+    return file ? read(file_uri(path), *std::move(file), encoding, extent) : nullptr;
 }
 
 void TextReader::forget() {

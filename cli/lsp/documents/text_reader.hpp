@@ -4,6 +4,7 @@
 #include "cli/engine/read.hpp"
 #include "cli/lsp/documents/documents.hpp"
 #include "cli/lsp/documents/workspace_files.hpp"
+#include "cli/renumber/block_numbers.hpp"
 
 #include <map>
 #include <memory>
@@ -11,12 +12,13 @@
 
 namespace maclint::cli::lsp {
 
-/// A text that was read whole, as its configuration says.
+/// A text that was read as its configuration says: whole, where nothing else is asked for.
 struct ReadText {
     std::string uri;
     SnapshotFile file;
     ReadFile read; ///< `read.file` is there
     LineTable lines;
+    mutable std::shared_ptr<const NumberSpaces> spaces = {}; ///< of its blocks; nullptr: nobody has asked
 
     [[nodiscard]] const ProgramFile& programs() const { return *read.file; }
     [[nodiscard]] const Source& source() const { return lines.source(); }
@@ -31,9 +33,9 @@ class TextReader {
 
     /// nullptr: it is no program.
     [[nodiscard]] std::shared_ptr<const ReadText> read(const Document& document, PositionEncoding encoding);
-    /// Of a file that is not open; nullptr: it is none, or cannot be read.
+    /// Of a file that is not open, to that extent; nullptr: it is none, or cannot be read.
     [[nodiscard]] std::shared_ptr<const ReadText> read_file(const std::string& path,
-                                                            PositionEncoding encoding);
+                                                            PositionEncoding encoding, Extent extent);
     /// Of documents that are closed, or whose configuration may have changed.
     void forget();
 
@@ -43,7 +45,7 @@ class TextReader {
         std::shared_ptr<const ReadText> text;
     };
     [[nodiscard]] std::shared_ptr<const ReadText> read(const std::string& uri, SnapshotFile file,
-                                                       PositionEncoding encoding);
+                                                       PositionEncoding encoding, Extent extent);
 
     WorkspaceFiles& files_;
     ProgramStore store_{std::size_t{64} << 20U};

@@ -3,7 +3,7 @@
 
 #include "cli/lsp/features/read_document.hpp"
 #include "cli/lsp/features/workspace_edit.hpp"
-#include "cli/lsp/mentions/place.hpp"
+#include "cli/lsp/mentions/sightings.hpp"
 #include "cli/renumber/connected_programs.hpp"
 #include "cli/renumber/renumber.hpp"
 
@@ -41,11 +41,15 @@ NumberSpaces safe_spaces(Session& session, const ReadText& text) {
     return std::get<NumberSpaces>(std::move(spaces));
 }
 
-/// Of the text alone: where a computed jump makes numbers unsafe, nothing is known of them.
-NumberSpaces spaces_of(const ReadText& text) {
-    auto spaces = number_spaces(text.programs(), {});
-    auto* known = std::get_if<NumberSpaces>(&spaces);
-    return known == nullptr ? NumberSpaces() : std::move(*known);
+/// Of the text alone, once: where a computed jump makes numbers unsafe, nothing is known of them.
+std::shared_ptr<const NumberSpaces> spaces_of(const ReadText& text) {
+    if (text.spaces == nullptr) {
+        auto spaces = number_spaces(text.programs(), {});
+        auto* known = std::get_if<NumberSpaces>(&spaces);
+        text.spaces =
+            std::make_shared<const NumberSpaces>(known == nullptr ? NumberSpaces() : std::move(*known));
+    }
+    return text.spaces;
 }
 
 std::optional<Pointed> pointed_at(const NumberSpaces& spaces, Offset at) {
@@ -62,12 +66,9 @@ std::optional<Pointed> pointed_at(const NumberSpaces& spaces, Offset at) {
 /// A text, the numbers in it, and the block that is meant.
 struct Asking {
     std::shared_ptr<const ReadText> text;
-    NumberSpaces spaces;
+    std::shared_ptr<const NumberSpaces> spaces;
     std::optional<Pointed> pointed;
 
-    [[nodiscard]] Json location(Span span) const {
-        return {{"uri", text->uri}, {"range", text->lines.range(span)}};
-    }
     [[nodiscard]] Span declared() const { return pointed->space->blocks[pointed->block].digits; }
     /// The digits of the words that name it.
     [[nodiscard]] std::vector<Span> uses() const {
@@ -82,7 +83,7 @@ Asking asked(Session& session, const Json& params) {
     Asking asking{read_document(session, params), {}, {}};
     if (asking.text == nullptr) return asking;
     asking.spaces = spaces_of(*asking.text);
-    asking.pointed = pointed_at(asking.spaces, asking.text->lines.offset(member(params, "position")));
+    asking.pointed = pointed_at(*asking.spaces, asking.text->lines.offset(member(params, "position")));
     return asking;
 }
 
@@ -105,42 +106,42 @@ Edit edit_of(const ReadText& text, Span digits, std::int64_t number) {
 
 } // namespace
 
-Json definition(Session& session, const Json& params) {
+Json block_definition(Session& session, const Json& params) {
     const Asking asking = asked(session, params);
-    return asking.pointed ? asking.location(asking.declared()) : Json(nullptr);
+    return asking.pointed ? location(*asking.text, asking.declared()) : Json(nullptr);
 }
 
-Json references(Session& session, const Json& params) {
+Json block_references(Session& session, const Json& params) {
     const Asking asking = asked(session, params);
+    if (!asking.pointed) return nullptr;
     Json found = Json::array();
-    if (!asking.pointed) return found;
     if (is_true(params, {"context", "includeDeclaration"}))
-        found.push_back(asking.location(asking.declared()));
-    for (const Span use : asking.uses()) found.push_back(asking.location(use));
+        found.push_back(location(*asking.text, asking.declared()));
+    for (const Span use : asking.uses()) found.push_back(location(*asking.text, use));
     return found;
 }
 
-Json document_highlight(Session& session, const Json& params) {
+Json block_highlight(Session& session, const Json& params) {
     const Asking asking = asked(session, params);
+    if (!asking.pointed) return nullptr;
     Json found = Json::array();
-    if (!asking.pointed) return found;
     found.push_back({{"range", asking.text->lines.range(asking.declared())}});
     for (const Span use : asking.uses()) found.push_back({{"range", asking.text->lines.range(use)}});
     return found;
 }
 
-Json prepare_rename(Session& session, const Json& params) {
+Json block_digits(Session& session, const Json& params) {
     const Asking asking = asked(session, params);
     return asking.pointed ? asking.text->lines.range(asking.pointed->digits) : Json(nullptr);
 }
 
-Json rename(Session& session, const Json& params) {
+Json rename_block(Session& session, const Json& params) {
     const std::int64_t number = number_in(string_in(params, "newName"));
     Asking asking = asked(session, params);
     if (!asking.pointed)
         throw ResponseError{ErrorCode::request_failed, "There is no number of a block here."};
-    asking.spaces = safe_spaces(session, *asking.text);
-    asking.pointed = pointed_at(asking.spaces, asking.pointed->digits.begin);
+    asking.spaces = std::make_shared<const NumberSpaces>(safe_spaces(session, *asking.text));
+    asking.pointed = pointed_at(*asking.spaces, asking.pointed->digits.begin);
     const auto has_number = [&](const WrittenNumber& written) { return written.number == number; };
     const NumberSpace& space = *asking.pointed->space;
     if (std::ranges::any_of(space.blocks, has_number))

@@ -88,11 +88,10 @@ class Outline {
     }
 
     void add_names() {
-        for_each_block(program_, [&](const BlockView& block) {
-            if (block.name)
+        for (const Item& item : program_.items)
+            if (const auto* block = std::get_if<Block>(&item); block != nullptr && block->name)
                 symbols_.push_back(
-                    {program_.spell(Label(*block.name)), SymbolKind::label, block.span, block.name_span});
-        });
+                    {program_.spell(Label(*block->name)), SymbolKind::label, block->span, block->name_span});
     }
 
     const ReadText& text_;

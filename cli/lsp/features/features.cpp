@@ -1,12 +1,14 @@
 //! A row for each request.
 #include "cli/lsp/features/features.hpp"
 
-#include "cli/lsp/features/block_numbers.hpp"
 #include "cli/lsp/features/code_actions.hpp"
 #include "cli/lsp/features/commands.hpp"
+#include "cli/lsp/features/definition.hpp"
 #include "cli/lsp/features/document_symbols.hpp"
 #include "cli/lsp/features/folding.hpp"
 #include "cli/lsp/features/hover.hpp"
+#include "cli/lsp/features/references.hpp"
+#include "cli/lsp/features/rename.hpp"
 
 #include <array>
 

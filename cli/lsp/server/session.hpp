@@ -4,6 +4,7 @@
 #include "cli/lsp/diagnostics/analyst.hpp"
 #include "cli/lsp/diagnostics/finding_store.hpp"
 #include "cli/lsp/documents/documents.hpp"
+#include "cli/lsp/documents/program_finder.hpp"
 #include "cli/lsp/documents/text_reader.hpp"
 #include "cli/lsp/documents/workspace_files.hpp"
 #include "cli/lsp/protocol/outbox.hpp"
@@ -24,7 +25,8 @@ struct Session {
     Session(Outbox::Write write, AnalystOptions options)
         : outbox(std::move(write))
         , reader(files)
-        , analyst(files, findings, outbox, options) {}
+        , analyst(files, findings, outbox, options)
+        , programs(files, analyst.outlines()) {}
 
     Outbox outbox;
     Client client = {};
@@ -32,7 +34,8 @@ struct Session {
     WorkspaceFiles files;
     FindingStore findings;
     TextReader reader;
-    Analyst analyst; ///< last: its thread uses the others
+    Analyst analyst; ///< its thread uses the others
+    ProgramFinder programs;
 };
 
 /// The answer to a request; of a notification it is dropped. Throws ResponseError.
