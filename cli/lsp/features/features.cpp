@@ -1,6 +1,7 @@
 //! A row for each request.
 #include "cli/lsp/features/features.hpp"
 
+#include "cli/lsp/features/call_hierarchy.hpp"
 #include "cli/lsp/features/code_actions.hpp"
 #include "cli/lsp/features/commands.hpp"
 #include "cli/lsp/features/definition.hpp"
@@ -15,13 +16,16 @@
 namespace maclint::cli::lsp {
 namespace {
 
-constexpr std::array<Method, 10> methods{{
+constexpr std::array<Method, 13> methods{{
+    {"callHierarchy/incomingCalls", incoming_calls},
+    {"callHierarchy/outgoingCalls", outgoing_calls},
     {"textDocument/codeAction", code_actions},
     {"textDocument/definition", definition},
     {"textDocument/documentHighlight", document_highlight},
     {"textDocument/documentSymbol", document_symbols},
     {"textDocument/foldingRange", folding_ranges},
     {"textDocument/hover", hover},
+    {"textDocument/prepareCallHierarchy", prepare_call_hierarchy},
     {"textDocument/prepareRename", prepare_rename},
     {"textDocument/references", references},
     {"textDocument/rename", rename},
@@ -33,7 +37,8 @@ constexpr std::array<Method, 10> methods{{
 std::span<const Method> feature_methods() { return methods; }
 
 Json feature_capabilities() {
-    return {{"codeActionProvider", {{"codeActionKinds", {"quickfix", "source.fixAll.maclint"}}}},
+    return {{"callHierarchyProvider", true},
+            {"codeActionProvider", {{"codeActionKinds", {"quickfix", "source.fixAll.maclint"}}}},
             {"definitionProvider", true},
             {"documentHighlightProvider", true},
             {"documentSymbolProvider", true},
