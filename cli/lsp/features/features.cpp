@@ -4,6 +4,7 @@
 #include "cli/lsp/features/call_hierarchy.hpp"
 #include "cli/lsp/features/code_actions.hpp"
 #include "cli/lsp/features/commands.hpp"
+#include "cli/lsp/features/completion.hpp"
 #include "cli/lsp/features/definition.hpp"
 #include "cli/lsp/features/document_symbols.hpp"
 #include "cli/lsp/features/folding.hpp"
@@ -16,10 +17,12 @@
 namespace maclint::cli::lsp {
 namespace {
 
-constexpr std::array<Method, 13> methods{{
+constexpr std::array<Method, 15> methods{{
     {"callHierarchy/incomingCalls", incoming_calls},
     {"callHierarchy/outgoingCalls", outgoing_calls},
+    {"completionItem/resolve", resolve_completion},
     {"textDocument/codeAction", code_actions},
+    {"textDocument/completion", completion},
     {"textDocument/definition", definition},
     {"textDocument/documentHighlight", document_highlight},
     {"textDocument/documentSymbol", document_symbols},
@@ -39,6 +42,7 @@ std::span<const Method> feature_methods() { return methods; }
 Json feature_capabilities() {
     return {{"callHierarchyProvider", true},
             {"codeActionProvider", {{"codeActionKinds", {"quickfix", "source.fixAll.maclint"}}}},
+            {"completionProvider", {{"triggerCharacters", {"#", "\""}}, {"resolveProvider", true}}},
             {"definitionProvider", true},
             {"documentHighlightProvider", true},
             {"documentSymbolProvider", true},
