@@ -9,15 +9,17 @@
 #include "cli/lsp/features/document_symbols.hpp"
 #include "cli/lsp/features/folding.hpp"
 #include "cli/lsp/features/hover.hpp"
+#include "cli/lsp/features/inlay_hints.hpp"
 #include "cli/lsp/features/references.hpp"
 #include "cli/lsp/features/rename.hpp"
+#include "cli/lsp/features/semantic_tokens.hpp"
 
 #include <array>
 
 namespace maclint::cli::lsp {
 namespace {
 
-constexpr std::array<Method, 15> methods{{
+constexpr std::array<Method, 18> methods{{
     {"callHierarchy/incomingCalls", incoming_calls},
     {"callHierarchy/outgoingCalls", outgoing_calls},
     {"completionItem/resolve", resolve_completion},
@@ -28,10 +30,13 @@ constexpr std::array<Method, 15> methods{{
     {"textDocument/documentSymbol", document_symbols},
     {"textDocument/foldingRange", folding_ranges},
     {"textDocument/hover", hover},
+    {"textDocument/inlayHint", inlay_hints},
     {"textDocument/prepareCallHierarchy", prepare_call_hierarchy},
     {"textDocument/prepareRename", prepare_rename},
     {"textDocument/references", references},
     {"textDocument/rename", rename},
+    {"textDocument/semanticTokens/full", semantic_tokens},
+    {"textDocument/semanticTokens/range", semantic_tokens_in_range},
     {"workspace/executeCommand", execute_command},
 }};
 
@@ -48,7 +53,9 @@ Json feature_capabilities() {
             {"documentSymbolProvider", true},
             {"foldingRangeProvider", true},
             {"hoverProvider", true},
+            {"inlayHintProvider", true},
             {"referencesProvider", true},
+            {"semanticTokensProvider", semantic_tokens_options()},
             {"renameProvider", {{"prepareProvider", true}}},
             {"executeCommandProvider", {{"commands", command_names_of_server()}}}};
 }
