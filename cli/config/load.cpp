@@ -62,8 +62,8 @@ class Loader {
     };
 
     /// The keys of the top level.
-    static const std::array<Key, 15>& keys() {
-        static constexpr std::array<Key, 15> rows{{
+    static const std::array<Key, 16>& keys() {
+        static constexpr std::array<Key, 16> rows{{
             {"$schema", &Loader::skip},
             {"extends", &Loader::skip},
             {"controls", &Loader::read_controls},

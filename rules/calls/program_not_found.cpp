@@ -77,6 +77,14 @@ bool knows_all(const ProgramAnalysis& analysis, const Call& call) {
     return analysis.complete() || (in_file && is_closed(analysis));
 }
 
+/// A name that is told as a slip, that somebody lists or defines, or that the control brings a program of.
+bool is_excused(const ProgramAnalysis& analysis, const Text& written) {
+    const std::string_view name = analysis.program().slice(written.characters);
+    return queries::is_misspelt_at(analysis, written.characters) ||
+           queries::is_brought_by_control(analysis.control(), name) ||
+           analysis.names_elsewhere().contain(in_capitals(name));
+}
+
 void check(const ProgramAnalysis& analysis, Reporter& reporter) {
     const Program& program = analysis.program();
     for (const CallSite& site : analysis.calls()) {
@@ -85,10 +93,7 @@ void check(const ProgramAnalysis& analysis, Reporter& reporter) {
         const bool named = std::holds_alternative<Text>(call.program) ||
                            (number != nullptr && flow::constant_number(program, *number));
         if (!named || site.candidates != 0 || !knows_all(analysis, call)) continue;
-        const auto* written = std::get_if<Text>(&call.program);
-        if (written != nullptr &&
-            (queries::is_misspelt_at(analysis, written->characters) ||
-             analysis.names_elsewhere().contain(in_capitals(program.slice(written->characters)))))
+        if (const auto* written = std::get_if<Text>(&call.program); written != nullptr && is_excused(analysis, *written))
             continue;
         const Span span = program.effects[site.effect].span;
         reporter.report({analysis, site.effect}, span, "plain", {quoted(program, span)});

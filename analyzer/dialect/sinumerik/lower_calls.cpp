@@ -203,9 +203,15 @@ void BlockLowering::lower_procedure(std::string_view name, const Node* arguments
         if (arguments != nullptr) label = nobody_knows(whole);
         return go_back(label, whole);
     }
-    const bool around = std::exchange(names_axes_, true); // RELEASE(LOADER)
-    const std::vector<ExpressionId> values = values_of(arguments);
-    names_axes_ = around;
+    constexpr std::string_view of_texts[] = {"MSG", "SETAL"};
+    const bool takes_axes = std::ranges::find(of_texts, name) == std::end(of_texts);
+    std::vector<ExpressionId> values;
+    if (arguments != nullptr)
+        for_each_child(*arguments, [&](const Node& value) { // RELEASE(LOADER)
+            const bool around = std::exchange(names_axes_, takes_axes && kind_of(value) == Kind::name);
+            values.push_back(lower_expression(value));
+            names_axes_ = around;
+        });
     std::vector<Variable> in;
     constexpr std::string_view without_results[] = {"MSG", "SETAL", "WAITM", "WAITE", "WAITMC", "WAITP"};
     if (std::ranges::find(without_results, name) == std::end(without_results))

@@ -1,9 +1,24 @@
 //! Asks the workspace, the files of definitions and the configuration.
 #include "analyzer/queries/names/unknown_names.hpp"
 
+#include "analyzer/dialect/ascii.hpp"
+#include "analyzer/dialect/characters.hpp"
+#include "analyzer/dialect/dialect.hpp"
+#include "analyzer/program/language_words.hpp"
+#include "analyzer/program/tables.hpp"
+
 #include <algorithm>
+#include <string>
 
 namespace maclint::queries {
+namespace {
+
+std::string_view without_number(std::string_view name) {
+    while (!name.empty() && is_digit(name.back())) name.remove_suffix(1);
+    return name;
+}
+
+} // namespace
 
 bool is_misspelt(const ProgramAnalysis& analysis, const UnknownName& name) {
     return !name.meant.empty() && !analysis.names_elsewhere().contain(name.name) &&
@@ -18,6 +33,15 @@ bool is_undefined(const ProgramAnalysis& analysis, const UnknownName& name) {
 bool is_misspelt_at(const ProgramAnalysis& analysis, Span span) {
     return std::ranges::any_of(analysis.program().unknown_names, [&](const UnknownName& name) {
         return name.span.begin == span.begin && is_misspelt(analysis, name);
+    });
+}
+
+bool is_brought_by_control(const ControlModel& control, std::string_view name) {
+    const Dialect* dialect = find_dialect(control.language);
+    if (dialect == nullptr || dialect->words == nullptr) return false;
+    const std::string capitals = in_capitals(name);
+    return std::ranges::any_of(dialect->words().words, [&](const LanguageWord& word) {
+        return word.use == WordUse::cycle && without_number(word.word) == without_number(capitals);
     });
 }
 

@@ -3,6 +3,8 @@
 
 #include "analyzer/workspace/program_analysis.hpp"
 
+#include <string_view>
+
 namespace maclint::queries {
 
 /// One letter off something that is known, and nothing else has the name.
@@ -11,5 +13,9 @@ namespace maclint::queries {
 [[nodiscard]] bool is_undefined(const ProgramAnalysis& analysis, const UnknownName& name);
 /// Whether the name that stands there is one that is_misspelt() tells.
 [[nodiscard]] bool is_misspelt_at(const ProgramAnalysis& analysis, Span span);
+
+/// Whether the control brings a program of that name, one of its cycles: CYCLE81, and so CYCLE89, which differs in
+/// its number alone.
+[[nodiscard]] bool is_brought_by_control(const ControlModel& control, std::string_view name);
 
 } // namespace maclint::queries
