@@ -5,6 +5,7 @@
 #include "analyzer/program/tables.hpp"
 #include "cli/filter/directive.hpp"
 #include "cli/lsp/features/read_document.hpp"
+#include "cli/lsp/meanings/known_values.hpp"
 #include "cli/lsp/meanings/meaning.hpp"
 #include "cli/lsp/mentions/place.hpp"
 #include "cli/text/letters.hpp"
@@ -22,15 +23,17 @@ namespace {
 /// What is said of one place.
 class Speech {
   public:
-    Speech(const ReadText& text, Offset at)
-        : text_(text)
+    Speech(Session& session, const std::shared_ptr<const ReadText>& text, Offset at)
+        : session_(session)
+        , held_(text)
+        , text_(*text)
         , at_(at) {}
 
     [[nodiscard]] Json take() {
         if (is_in_comment(text_, at_))
             speak_of_comment();
         else if (const auto place = program_at(text_.programs(), at_))
-            speak_of_program(text_.programs().programs[*place]);
+            speak_of_program(*place);
         if (parts_.empty()) return nullptr;
         std::string all;
         for (const std::string& part : parts_) all += (all.empty() ? "" : "\n\n") + part;
@@ -75,9 +78,10 @@ class Speech {
             if (touches(token.span, at_)) add(token.span, meaning_of_rule(token.word));
     }
 
-    void speak_of_program(const Program& program) {
+    void speak_of_program(std::size_t place) {
+        const Program& program = text_.programs().programs[place];
         const auto mention = mention_at(program, at_);
-        if (mention) speak_of_mention(program, *mention);
+        if (mention) speak_of_mention(place, *mention);
         const std::vector<Word> block = words_at(program, text_.lines, at_);
         if (!mention || !is_value(mention->named))
             for (const Word& word : block)
@@ -103,13 +107,16 @@ class Speech {
         if (parts_.empty()) add(span, meaning_of_code(*program.control, name));
     }
 
-    void speak_of_mention(const Program& program, const Mention& mention) {
+    void speak_of_mention(std::size_t place, const Mention& mention) {
+        const Program& program = text_.programs().programs[place];
         add_of_shop(mention.span);
         const std::string_view written = program.slice(mention.span);
         add(mention.span, meaning_of_variable(program, mention.named, text_.source().to_utf8(written)));
         if (const auto* argument = std::get_if<ArgumentName>(&mention.named))
             add(mention.span, words_of_argument(program, *argument));
-        if (std::holds_alternative<Variable>(mention.named)) add(mention.span, places_set(program, mention));
+        if (!std::holds_alternative<Variable>(mention.named)) return;
+        add(mention.span, value_of(place, mention));
+        add(mention.span, places_set(program, mention));
     }
 
     /// "argument F: #9 of the called program"
@@ -120,6 +127,14 @@ class Speech {
         if (variable == nullptr) return {};
         return "**" + std::string(argument.address) + "** argument: " + program.spell(*variable) +
                " of the called program";
+    }
+
+    /// What the analysis knows of it, where that can be asked while somebody waits.
+    [[nodiscard]] std::string value_of(std::size_t place, const Mention& mention) const {
+        const auto values = KnownValues::of(session_, held_);
+        const std::string value = values == nullptr ? "" : values->value_at(place, mention);
+        if (value.empty()) return value;
+        return (mention.role == Mention::Role::stores ? "Stored here: " : "Here: ") + value;
     }
 
     [[nodiscard]] std::string places_set(const Program& program, const Mention& mention) const {
@@ -142,6 +157,8 @@ class Speech {
         return text.empty() ? text : "Set in this program:\n" + text;
     }
 
+    Session& session_;
+    const std::shared_ptr<const ReadText>& held_;
     const ReadText& text_;
     Offset at_;
     Span about_{};
@@ -153,7 +170,7 @@ class Speech {
 Json hover(Session& session, const Json& params) {
     const auto text = read_document(session, params);
     if (text == nullptr) return nullptr;
-    return Speech(*text, text->lines.offset(member(params, "position"))).take();
+    return Speech(session, text, text->lines.offset(member(params, "position"))).take();
 }
 
 } // namespace maclint::cli::lsp

@@ -3,9 +3,11 @@
 
 #include "analyzer/program/tables.hpp"
 #include "cli/lsp/features/read_document.hpp"
+#include "cli/lsp/meanings/known_values.hpp"
 #include "cli/lsp/mentions/place.hpp"
 
 #include <algorithm>
+#include <memory>
 #include <optional>
 #include <string>
 #include <unordered_set>
@@ -43,6 +45,42 @@ void add_letters(const ReadText& text, const Program& program, Span wanted, Json
     }
 }
 
+/// Jumps in the range whose label is calculated.
+std::vector<EffectId> computed_jumps(const Program& program, Span wanted) {
+    std::vector<EffectId> jumps;
+    for (EffectId id = 0; id < program.effects.size(); ++id) {
+        const Effect& effect = program.effects[id];
+        const auto* jump = std::get_if<Jump>(&effect.what);
+        if (jump == nullptr || effect.span.end < wanted.begin || wanted.end < effect.span.begin) continue;
+        const auto& target = program.expressions[jump->target].node;
+        if (!std::holds_alternative<Literal>(target) && !std::holds_alternative<BlockName>(target))
+            jumps.push_back(id);
+    }
+    return jumps;
+}
+
+/// "N10 N20" behind `GOTO#1`.
+void add_targets(Session& session, const std::shared_ptr<const ReadText>& text, Span wanted, Json& hints) {
+    constexpr std::size_t most = 8;
+    std::unique_ptr<const KnownValues> values;
+    for (std::size_t place = 0; place < text->programs().programs.size(); ++place) {
+        const Program& program = text->programs().programs[place];
+        for (const EffectId jump : computed_jumps(program, wanted)) {
+            if (values == nullptr) values = KnownValues::of(session, text);
+            if (values == nullptr) return;
+            const auto numbers = values->targets_of(place, jump);
+            if (numbers.empty() || numbers.size() > most) continue;
+            std::string label;
+            for (const std::int64_t number : numbers)
+                label += (label.empty() ? "N" : " N") + std::to_string(number);
+            const Span target = program.expressions[std::get<Jump>(program.effects[jump].what).target].span;
+            hints.push_back({{"position", text->lines.position(target.end)},
+                             {"label", std::move(label)},
+                             {"paddingLeft", true}});
+        }
+    }
+}
+
 } // namespace
 
 Json inlay_hints(Session& session, const Json& params) {
@@ -52,6 +90,7 @@ Json inlay_hints(Session& session, const Json& params) {
     const Span wanted = text->lines.span(member(params, "range"));
     for (const Program& program : text->programs().programs)
         if (goes_back(program)) add_letters(*text, program, wanted, hints);
+    add_targets(session, text, wanted, hints);
     return hints;
 }
 

@@ -100,6 +100,14 @@ TEST_F(LspTyping, IsShownTheLettersOfArguments) {
     EXPECT_THAT(session.result("textDocument/inlayHint", range(4, 7)), IsEmpty());
 }
 
+TEST_F(LspTyping, IsShownWhereAComputedJumpLeads) {
+    open("%\nO1\n#1=10\nIF[#100EQ1]THEN#1=20\nGOTO#1\nN10G0X1.\nN20GOTO#500\nM30\n%\n", "fanuc");
+    const Json hints = session.result("textDocument/inlayHint", range(0, 8));
+    ASSERT_EQ(hints.size(), 1U);
+    EXPECT_EQ(hints[0]["label"], "N10 N20");
+    EXPECT_EQ(hints[0]["position"], place(4, 6));
+}
+
 TEST_F(LspTyping, SeesNoLettersInAMainProgram) {
     open("%\nO1\nG1X#24\nM30\n%\n", "fanuc");
     EXPECT_THAT(session.result("textDocument/inlayHint", range(0, 5)), IsEmpty());

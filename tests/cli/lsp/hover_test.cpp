@@ -46,6 +46,15 @@ TEST_F(LspHover, TellsWhatVariablesAreAndWhereTheyAreSet) {
     EXPECT_THAT(words(5, 8), HasSubstr("**F** argument: #9 of the called program"));
 }
 
+TEST_F(LspHover, TellsTheValueThatIsKnown) {
+    open("%\nO1\n#3=5.\nIF[#7EQ1]THEN#3=6.\n#2=#0\nG0X#3Y#2\nG65P9999\nG0X#100Y#4\nM99\n%\n", "fanuc");
+    EXPECT_THAT(words(5, 4), HasSubstr("Here: 5 or 6\n"));
+    EXPECT_THAT(words(5, 7), HasSubstr("Here: vacant"));
+    EXPECT_THAT(words(2, 1), HasSubstr("Stored here: 5\n"));
+    EXPECT_THAT(words(7, 5), Not(HasSubstr("Here")));
+    EXPECT_THAT(words(7, 9), Not(HasSubstr("Here")));
+}
+
 TEST_F(LspHover, TellsWhatCodesAndTheirWordsMean) {
     open("%\nO1\nG90G54\nG83X1.Z-5.R1.Q#1F100\nG83X1.Z-5.R1.Q1.F100\nM30\n%\n", "fanuc");
     for (const int line : {3, 4}) {
