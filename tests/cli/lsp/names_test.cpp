@@ -140,6 +140,25 @@ TEST_F(LspNames, OfBlocksAndVariablesAreKnownInSinumerik) {
     EXPECT_THAT(definition(2, 6), ElementsAre("A.MPF 0:9-0:13"));
 }
 
+TEST_F(LspNames, OfProgramsAreKnownInSinumerik) {
+    session.folder.write("SUB.SPF", "PROC SUB(REAL B)\nG1 X=B\nRET\n");
+    open("A.MPF", "EXTERN SUB(REAL)\nCALL \"SUB\"\nSUB(5)\nM30\n", "sinumerik");
+    EXPECT_THAT(definition(1, 7), ElementsAre(testing::StartsWith("SUB.SPF 0:")));
+    EXPECT_THAT(definition(2, 1), ElementsAre(testing::StartsWith("SUB.SPF 0:")));
+    EXPECT_THAT(definition(2, 4), ElementsAre("SUB.SPF 0:14-0:15"));
+    EXPECT_THAT(references(2, 1, false), ElementsAre("A.MPF 1:6-1:9", "A.MPF 2:0-2:3"));
+}
+
+TEST_F(LspNames, OfProgramsAndVariablesAreKnownInDinPlus) {
+    session.folder.write("SUB.ncs", "%SUB.ncs\nN1 G1 X#__la\nRETURN\n");
+    open("A.nc", "%A.nc\nMACHINING\nN1 #l1=5\nN2 L\"SUB\" V1 LA5\nN3 G1 X#l1\nN4 M30\nEND\n", "dinplus");
+    EXPECT_THAT(definition(3, 6), ElementsAre(testing::StartsWith("SUB.ncs 0:")));
+    EXPECT_THAT(definition(3, 13), ElementsAre("SUB.ncs 1:7-1:12"));
+    EXPECT_THAT(definition(4, 8), ElementsAre("A.nc 2:3-2:6"));
+    EXPECT_THAT(references(3, 6, false), ElementsAre("A.nc 3:5-3:8"));
+    EXPECT_THAT(refusal(4, 8, "_LEN"), HasSubstr("is a number"));
+}
+
 TEST_F(LspNames, ChangeWhereThatIsCertain) {
     open("A.MPF", labels, "sinumerik");
     EXPECT_EQ(shown(session.result("textDocument/prepareRename", at(5, 1))), "5:0-5:4");

@@ -120,13 +120,15 @@ TEST(LspRobustness, StandsDisorderedMessages) {
 
 TEST(LspRobustness, AnswersInAProgramOfAHundredMegabytes) {
     constexpr std::size_t size = std::size_t{100} << 20U;
-    std::string text = "%\nO1(LONG)\n#100=5.\nG65P9100A#100\n";
-    const std::string blocks = "G1X1.234Y5.678F100\nX2.345Y6.789\nX3.456Y7.891Z-1.\n";
-    while (text.size() < size) text += blocks;
-    text += "N50T0101\nGOTO50\nM30\n%\n";
     ScriptedSession session;
     session.begin(Json::object());
-    session.open("O1.nc", text, "fanuc");
+    std::string message = R"({"jsonrpc":"2.0","method":"textDocument/didOpen","params":{"textDocument":{"uri":")" +
+                          session.uri("O1.nc") + R"(","languageId":"fanuc","version":1,"text":")"
+                          R"(%\nO1(LONG)\n#100=5.\nG65P9100A#100\n)";
+    const std::string blocks = R"(G1X1.234Y5.678F100\nX2.345Y6.789\nX3.456Y7.891Z-1.\n)";
+    while (message.size() < size) message += blocks;
+    message += R"(N50T0101\nGOTO50\nM30\n%\n"}}})";
+    session.send_text(message);
     for (const cli::lsp::Method& method : cli::lsp::feature_methods()) {
         const auto begun = std::chrono::steady_clock::now();
         for (const int line : {3, 1000000})
