@@ -122,9 +122,11 @@ TEST(LspRobustness, AnswersInAProgramOfAHundredMegabytes) {
     constexpr std::size_t size = std::size_t{100} << 20U;
     ScriptedSession session;
     session.begin(Json::object());
-    std::string message = R"({"jsonrpc":"2.0","method":"textDocument/didOpen","params":{"textDocument":{"uri":")" +
-                          session.uri("O1.nc") + R"(","languageId":"fanuc","version":1,"text":")"
-                          R"(%\nO1(LONG)\n#100=5.\nG65P9100A#100\n)";
+    std::string message =
+        R"({"jsonrpc":"2.0","method":"textDocument/didOpen","params":{"textDocument":{"uri":")" +
+        session.uri("O1.nc") +
+        R"(","languageId":"fanuc","version":1,"text":")"
+        R"(%\nO1(LONG)\n#100=5.\nG65P9100A#100\n)";
     const std::string blocks = R"(G1X1.234Y5.678F100\nX2.345Y6.789\nX3.456Y7.891Z-1.\n)";
     while (message.size() < size) message += blocks;
     message += R"(N50T0101\nGOTO50\nM30\n%\n"}}})";
