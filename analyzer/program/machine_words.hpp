@@ -47,10 +47,10 @@ struct MachineWords {
     /// G codes: of cycles that end where they began, of positions that count from elsewhere behind them, of
     /// moves in the machine's own coordinates, and those whose S is the highest speed.
     std::span<const double> returning = {}, resetting = {}, of_machine = {}, clamping = {};
-    double surface_speed = 96;     ///< code of the speed mode
+    double surface_speed = 96;                    ///< code of the speed mode
     ModalRole speed_mode = ModalRole::speed_mode; ///< the group that surface speed belongs to
-    std::string_view clamp_address = {}; ///< of the highest speed, where a word gives it: "LIMS"
-    bool side_by_off = false; ///< the side of cutter compensation changes only where it was off between
+    std::string_view clamp_address = {};          ///< of the highest speed, where a word gives it: "LIMS"
+    bool side_by_off = false;      ///< the side of cutter compensation changes only where it was off between
     double feed_per_minute = 94;   ///< code of the feed mode
     double inch = 20, metric = 21; ///< codes of the units
     /// G codes of cycles that read a profile behind them, and end where they began.

@@ -220,8 +220,9 @@ FileFacts facts_of(const SnapshotFile& file, const ReadFile& read) {
     if (settings.configuration && settings.configuration->complete)
         facts.add("callers", "all are known", settings.configuration->said_in("complete"));
     if (settings.configuration && settings.configuration->known_names)
-        facts.add("known names", std::to_string(settings.configuration->known_names->names.size() +
-                                                settings.configuration->known_names->beginnings.size()),
+        facts.add("known names",
+                  std::to_string(settings.configuration->known_names->names.size() +
+                                 settings.configuration->known_names->beginnings.size()),
                   settings.configuration->said_in("known-names"));
     add_baseline(settings, facts);
     if (settings.configuration && !settings.configuration->words.empty())

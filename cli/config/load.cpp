@@ -429,11 +429,13 @@ class Loader {
             std::string name = in_capitals(text(element, "an entry of 'known-names'"));
             const bool is_beginning = name.ends_with('*');
             if (is_beginning) name.pop_back();
-            const bool is_name =
-                !name.empty() && std::ranges::all_of(name, [](char c) { return is_letter(c) || is_digit(c) || c == '_'; });
+            const bool is_name = !name.empty() && std::ranges::all_of(name, [](char c) {
+                return is_letter(c) || is_digit(c) || c == '_';
+            });
             if (!is_name)
-                reject(element.span, "an entry of 'known-names' must be a name of letters, digits and _, or the "
-                                     "beginning of names with * behind it. Correct it");
+                reject(element.span,
+                       "an entry of 'known-names' must be a name of letters, digits and _, or the "
+                       "beginning of names with * behind it. Correct it");
             if (is_beginning)
                 patterns->beginnings.push_back(std::move(name));
             else

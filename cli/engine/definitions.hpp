@@ -26,7 +26,7 @@ class Definitions {
     [[nodiscard]] NamesElsewhere names_for(const SnapshotFile& file, std::string_view language) const;
 
   private:
-    std::map<std::string_view, std::shared_ptr<TextSet>> names_;  ///< by language
+    std::map<std::string_view, std::shared_ptr<TextSet>> names_; ///< by language
     std::set<std::pair<std::string_view, std::string>> folders_; ///< languages, and folders with such files
 };
 

@@ -1,6 +1,6 @@
 //! MAC402: a call of a program that is not there.
-#include "analyzer/program/tables.hpp"
 #include "analyzer/dialect/ascii.hpp"
+#include "analyzer/program/tables.hpp"
 #include "analyzer/queries/calls/callers.hpp"
 #include "analyzer/queries/names/unknown_names.hpp"
 #include "analyzer/queries/structure/sections.hpp"
@@ -93,7 +93,8 @@ void check(const ProgramAnalysis& analysis, Reporter& reporter) {
         const bool named = std::holds_alternative<Text>(call.program) ||
                            (number != nullptr && flow::constant_number(program, *number));
         if (!named || site.candidates != 0 || !knows_all(analysis, call)) continue;
-        if (const auto* written = std::get_if<Text>(&call.program); written != nullptr && is_excused(analysis, *written))
+        if (const auto* written = std::get_if<Text>(&call.program);
+            written != nullptr && is_excused(analysis, *written))
             continue;
         const Span span = program.effects[site.effect].span;
         reporter.report({analysis, site.effect}, span, "plain", {quoted(program, span)});

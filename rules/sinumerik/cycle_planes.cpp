@@ -18,9 +18,10 @@ extern const Rule cycle_planes{
     .code = "SIN412",
     .name = "cycle-planes-contradict",
     .summary = "The depth of a drilling cycle lies on the side to which the tool is drawn back",
-    .why = "The tool drills away from the plane to which it is drawn back (RTP), from the reference plane (RFP) "
-           "to the depth (DP). Where the depth lies on the side of RTP the cycle stops with an alarm: mostly "
-           "the sign of the depth is lost.",
+    .why =
+        "The tool drills away from the plane to which it is drawn back (RTP), from the reference plane (RFP) "
+        "to the depth (DP). Where the depth lies on the side of RTP the cycle stops with an alarm: mostly "
+        "the sign of the depth is lost.",
     .severity = Severity::error,
     .precision = Precision::very_high,
     .needs = {Capability::paired_words},
@@ -68,7 +69,8 @@ void check(const ProgramAnalysis& analysis, Reporter& reporter) {
         if (name == nullptr || site.candidates != 0) continue; // the shop has a program of the name
         const auto* cycle = sinumerik::find_cycle(in_capitals(program.slice(name->characters)));
         if (cycle == nullptr) continue;
-        const auto back = argument(program, *call, *cycle, "RTP"), from = argument(program, *call, *cycle, "RFP"),
+        const auto back = argument(program, *call, *cycle, "RTP"),
+                   from = argument(program, *call, *cycle, "RFP"),
                    depth = argument(program, *call, *cycle, "DP");
         if (!back || !from || !depth || *back == *from || (*back > *from) == (*depth < *from)) continue;
         const Span span = program.effects[site.effect].span;

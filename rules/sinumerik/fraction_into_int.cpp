@@ -7,8 +7,9 @@ extern const Rule fraction_into_int{
     .code = "SIN210",
     .name = "fraction-into-int",
     .summary = "A number with decimals is stored in an INT",
-    .why = "An INT holds whole numbers: the control rounds what is stored, and the program works with another "
-           "number than the one that stands there.",
+    .why =
+        "An INT holds whole numbers: the control rounds what is stored, and the program works with another "
+        "number than the one that stands there.",
     .severity = Severity::warning,
     .precision = Precision::high,
     .needs = {Capability::paired_words},

@@ -12,7 +12,8 @@ void check(const ProgramAnalysis& analysis, Reporter& reporter);
 extern const Rule misspelled_name{
     .code = "SIN203",
     .name = "misspelled-name",
-    .summary = "A name that nothing defines is one letter off a variable of the program or a word of the control",
+    .summary =
+        "A name that nothing defines is one letter off a variable of the program or a word of the control",
     .why = "The control does not find the name, and stops with an alarm, or it is a variable of the "
            "machine that has another value. No program of the folder has the name, no file of definitions "
            "in it gives it, and `known-names` in the configuration does not list it.",

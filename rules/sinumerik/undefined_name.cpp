@@ -13,9 +13,10 @@ extern const Rule undefined_name{
     .code = "SIN202",
     .name = "undefined-name",
     .summary = "A value is read by a name that neither the program nor a file of definitions defines",
-    .why = "The control stops with an alarm at the block. What a machine's maker defines is in no program, so "
-           "the rule speaks only where a file of definitions (.DEF) lies by the program, the configuration "
-           "lists `known-names`, or declares the folder complete.",
+    .why =
+        "The control stops with an alarm at the block. What a machine's maker defines is in no program, so "
+        "the rule speaks only where a file of definitions (.DEF) lies by the program, the configuration "
+        "lists `known-names`, or declares the folder complete.",
     .severity = Severity::error,
     .precision = Precision::high,
     .needs = {Capability::paired_words},

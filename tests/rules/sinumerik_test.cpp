@@ -250,7 +250,8 @@ TEST(SinumerikSlips, ACommandIsMeantWhereNoProgramHasTheName) {
 }
 
 TEST(SinumerikNames, OfAxesAreTheMachines) {
-    const std::string text = "R1=$AA_IW[LOADER] POS[LOADER]=5 RELEASE(LOADER)\nLOADER=10\nG0 X=_OVR[2]\nM30\n";
+    const std::string text =
+        "R1=$AA_IW[LOADER] POS[LOADER]=5 RELEASE(LOADER)\nLOADER=10\nG0 X=_OVR[2]\nM30\n";
     EXPECT_THAT(test::analyse_text("sinumerik", text)->programs().front().program().unknown_names, IsEmpty());
     const auto read = test::analyse_text("sinumerik", "G0 X=LOADER Y=PLACES[2]\nM30\n");
     EXPECT_THAT(read->programs().front().program().unknown_names, SizeIs(2));

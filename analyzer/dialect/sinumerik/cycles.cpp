@@ -80,9 +80,9 @@ static_assert(std::ranges::is_sorted(rows, {}, &CycleRow::name));
 
 // T: alarm 61815. Older ones that have no row above, too.
 constexpr std::string_view off_compensation[] = {
-    "CYCLE71",  "CYCLE76",  "CYCLE77", "CYCLE81", "CYCLE82", "CYCLE83", "CYCLE84",
-    "CYCLE840", "CYCLE85",  "CYCLE86", "CYCLE87", "CYCLE88", "CYCLE89", "CYCLE90",
-    "LONGHOLE", "POCKET1", "POCKET2", "POCKET3", "POCKET4", "SLOT1", "SLOT2"};
+    "CYCLE71",  "CYCLE76", "CYCLE77", "CYCLE81", "CYCLE82", "CYCLE83", "CYCLE84",
+    "CYCLE840", "CYCLE85", "CYCLE86", "CYCLE87", "CYCLE88", "CYCLE89", "CYCLE90",
+    "LONGHOLE", "POCKET1", "POCKET2", "POCKET3", "POCKET4", "SLOT1",   "SLOT2"};
 static_assert(std::ranges::is_sorted(off_compensation));
 
 } // namespace

@@ -149,8 +149,9 @@ std::optional<SyntaxError> find_cause(std::string_view text, Span block) {
 bool declares_program(std::string_view text, Span block) {
     const std::vector<Token> tokens = tokens_of(text, block);
     constexpr std::size_t furthest = 2; // a block number may stand before it
-    return std::ranges::any_of(std::span(tokens).first(std::min(furthest, tokens.size())),
-                       [&](const Token& token) { return in_capitals(text_of(text, token)) == "PROC"; });
+    return std::ranges::any_of(
+        std::span(tokens).first(std::min(furthest, tokens.size())),
+        [&](const Token& token) { return in_capitals(text_of(text, token)) == "PROC"; });
 }
 
 /// Any name may be a label or a program, and any variable may be written.

@@ -47,7 +47,8 @@ bool is_command(const WordRow& row) {
     return row.kind == WordKind::procedure || row.name == "MCALL" || row.name == "PCALL";
 }
 
-constexpr std::string_view types[] = {"REAL", "INT", "BOOL", "CHAR", "STRING", "AXIS", "FRAME", "CHAN", "NCK"};
+constexpr std::string_view types[] = {"REAL", "INT",   "BOOL", "CHAR", "STRING",
+                                      "AXIS", "FRAME", "CHAN", "NCK"};
 
 } // namespace
 

@@ -97,7 +97,8 @@ const syntax::Node* BlockLowering::without_number(const Node& value) const {
     const Node* left = child(value, Field::left);
     const Node* right = child(value, Field::right);
     const Node* sign = child(value, Field::operation);
-    if (left == nullptr || right == nullptr || sign == nullptr || kind_of(*right) != Kind::number) return &value;
+    if (left == nullptr || right == nullptr || sign == nullptr || kind_of(*right) != Kind::number)
+        return &value;
     return text(*sign) == "+" || text(*sign) == "-" ? left : &value;
 }
 

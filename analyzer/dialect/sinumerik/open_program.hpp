@@ -58,9 +58,9 @@ struct OpenProgram {
     std::vector<NamedPlace> labels = {};
     std::vector<NamedPlace> both_ways = {}; ///< jumps that look in both directions
     std::unordered_map<std::string, Uses, TextHash, std::equal_to<>> unknown = {}; ///< names that the program
-                                                                                  ///< does not define
-    TextSet unread = {}; ///< names in blocks that cannot be read: they may define them
-    std::vector<NamedPlace> repeated = {};  ///< parts of the program that REPEAT names
+                                                                                   ///< does not define
+    TextSet unread = {};                   ///< names in blocks that cannot be read: they may define them
+    std::vector<NamedPlace> repeated = {}; ///< parts of the program that REPEAT names
     /// From G291 to G290 the blocks are of another language [T].
     bool foreign_language = false;
 };

@@ -124,7 +124,14 @@ std::vector<ModalGroup> modal_groups() {
     for (const Coupling& coupling : couplings) {
         ModalGroup& group = groups.emplace_back();
         const bool bends = coupling.name == transformation;
-        group = {coupling.name,  bends ? ModalRole::polar_interpolation : ModalRole::other, 'G', RestorePolicy::operation, {}, {0}, 0, 0,
+        group = {coupling.name,
+                 bends ? ModalRole::polar_interpolation : ModalRole::other,
+                 'G',
+                 RestorePolicy::operation,
+                 {},
+                 {0},
+                 0,
+                 0,
                  coupling.source};
         const std::string_view off = coupling.off.substr(0, coupling.off.find(' '));
         group.members = {{0, off}, {1, coupling.on.substr(0, coupling.on.find(' '))}};
@@ -170,12 +177,13 @@ VariableFamily owned() {
 constexpr std::string_view rules_tried[] = {
     "MAC001", "MAC002", "MAC003", "MAC004", "MAC106", "MAC109", "MAC117", "MAC118", "MAC119", "MAC121",
     "MAC126", "MAC129", "MAC213", "MAC301", "MAC303", "MAC318", "MAC319", "MAC320", "MAC321", "MAC337",
-    "MAC340", "MAC402", "MAC411", "MAC412", "MAC413", "MAC456", "MAC457", "MAC462", "MAC472", "MAC501", "MAC502",
-    "MAC505", "MAC506", "MAC507", "MAC510", "MAC511", "MAC514", "MAC517", "MAC522", "MAC558", "MAC559", "MAC570", "MAC702",
-    "MAC703", "MAC704", "MAC728", "SIN104", "SIN105", "SIN106", "SIN107", "SIN109", "SIN110", "SIN111",
-    "SIN112", "SIN113", "SIN114", "SIN115", "SIN123", "SIN124", "SIN201", "SIN202", "SIN203", "SIN204", "SIN207",
-    "SIN208", "SIN209", "SIN210", "SIN211", "SIN213", "SIN302", "SIN303", "SIN304", "SIN305", "SIN402", "SIN403",
-    "SIN404", "SIN405", "SIN407", "SIN408", "SIN411", "SIN412", "SIN502", "SIN504", "SIN505", "SIN601", "SIN602",
+    "MAC340", "MAC402", "MAC411", "MAC412", "MAC413", "MAC456", "MAC457", "MAC462", "MAC472", "MAC501",
+    "MAC502", "MAC505", "MAC506", "MAC507", "MAC510", "MAC511", "MAC514", "MAC517", "MAC522", "MAC558",
+    "MAC559", "MAC570", "MAC702", "MAC703", "MAC704", "MAC728", "SIN104", "SIN105", "SIN106", "SIN107",
+    "SIN109", "SIN110", "SIN111", "SIN112", "SIN113", "SIN114", "SIN115", "SIN123", "SIN124", "SIN201",
+    "SIN202", "SIN203", "SIN204", "SIN207", "SIN208", "SIN209", "SIN210", "SIN211", "SIN213", "SIN302",
+    "SIN303", "SIN304", "SIN305", "SIN402", "SIN403", "SIN404", "SIN405", "SIN407", "SIN408", "SIN411",
+    "SIN412", "SIN502", "SIN504", "SIN505", "SIN601", "SIN602",
 };
 static_assert(std::ranges::is_sorted(rules_tried));
 

@@ -17,8 +17,8 @@ constexpr std::array<double, 5> threads = {10, 11, 12, 16, 17}; ///< members: G3
 // Poles and angles; POS moves an axis by itself.
 constexpr std::array<std::string_view, 5> other_targets = {"AP", "RP", "ANG", "POS", "POSA"};
 constexpr std::array<double, 1> clamping = {26}; ///< G26 S2000
-constexpr double surface_speed = 4; ///< member of its group: G96
-constexpr double rapid = 1, absolute = 1; ///< members of their groups: G0, G90
+constexpr double surface_speed = 4;              ///< member of its group: G96
+constexpr double rapid = 1, absolute = 1;        ///< members of their groups: G0, G90
 
 constexpr MachineWords words = {.axes = {'X', 'Y', 'Z'},
                                 .centres = {'I', 'J', 'K'},

@@ -14,8 +14,8 @@ namespace maclint::queries {
 /// Whether the name that stands there is one that is_misspelt() tells.
 [[nodiscard]] bool is_misspelt_at(const ProgramAnalysis& analysis, Span span);
 
-/// Whether the control brings a program of that name, one of its cycles: CYCLE81, and so CYCLE89, which differs in
-/// its number alone.
+/// Whether the control brings a program of that name, one of its cycles: CYCLE81, and so CYCLE89, which
+/// differs in its number alone.
 [[nodiscard]] bool is_brought_by_control(const ControlModel& control, std::string_view name);
 
 } // namespace maclint::queries
