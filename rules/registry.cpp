@@ -53,8 +53,10 @@
     RULE(unchecked_offset_number)               /* MAC225 */ \
     RULE(vacancy_test_never_true)               /* MAC228 */ \
     RULE(bare_number_for_variable)              /* MAC229 */ \
+    RULE(ratio_as_length)                       /* MAC230 */ \
     RULE(read_of_write_only_variable)           /* MAC231 */ \
     RULE(suppression_value)                     /* MAC232 */ \
+    RULE(value_for_number)                      /* MAC233 */ \
     RULE(jump_target_missing)                   /* MAC301 */ \
     RULE(goto_suspicious_target)                /* MAC302 */ \
     RULE(jump_into_loop)                        /* MAC303 */ \
@@ -84,6 +86,7 @@
     RULE(profile_block_missing)                 /* MAC338 */ \
     RULE(branch_falls_through)                  /* MAC339 */ \
     RULE(region_words_unpaired)                 /* MAC340 */ \
+    RULE(remark_names_other_block)              /* MAC341 */ \
     RULE(call_without_program_number)           /* MAC401 */ \
     RULE(program_not_found)                     /* MAC402 */ \
     RULE(words_before_call)                     /* MAC403 */ \

@@ -28,6 +28,9 @@ extern const Rule unreachable_code{
                   "Add the test that was to lead there, or delete it."},
                  {"after", "Unreachable: '{0}' stands behind '{1}' on line {2} and is never run.",
                   "Move it before that, jump to it, or delete it."},
+                 {"middle",
+                  "End in the middle: '{0}' follows '{1}' on line {2} without a number, and is never run.",
+                  "Delete the end, or what stands behind it."},
                  {"passed", "Unreachable: '{0}' stands behind '{1}' on line {2} and is never run.",
                   "Move it before that, jump to it, or delete it.", true},
                  {"block", "Unreachable: no jump leads to N{0}, and '{1}' on line {2} passes it.",
@@ -111,7 +114,7 @@ N900 #3000=1(NO Z)
 O0460(PLATE)
 G90 G0 X0
 M30
-G90 G0 Z50.
+N100 G90 G0 Z50.
 M30
 )nc"}},
          {&exemptions::switches_behind_end,

@@ -26,6 +26,26 @@ bool is_parted(const Program& program, const Effect& ender, Span work) {
     });
 }
 
+/// Whether the blocks go on right behind the end, with no number, remark or free line that would make a part
+/// of its own of them, nor a tool: `M30`, `G55 G0 X0`.
+bool goes_right_on(const ProgramAnalysis& analysis, const queries::UnreachedRegion& region,
+                   const Effect& ender) {
+    const auto* stop = std::get_if<Stop>(&ender.what);
+    if (stop == nullptr || stop->kind != Stop::Kind::end || region.number || !region.moves) return false;
+    const Program& program = analysis.program();
+    const std::string_view between = program.slice({ender.span.end, region.head.begin});
+    const bool has_more = between.find_first_not_of(" \t\r\n;") != std::string_view::npos;
+    if (has_more || std::ranges::count(between, '\n') > 1 || region.head != region.work) return false;
+    const auto changes_tool = [](const Effect& effect) {
+        return std::holds_alternative<ToolChange>(effect.what);
+    };
+    bool has_tool = program.slice(region.head).find('T') != std::string_view::npos;
+    for (flow::NodeId node = region.first; node <= region.last; ++node)
+        has_tool |=
+            std::ranges::any_of(program.effects_in(analysis.graph().nodes[node].effects), changes_tool);
+    return !has_tool;
+}
+
 } // namespace
 
 std::optional<UnreachedWords> words_for(const ProgramAnalysis& analysis,
@@ -48,6 +68,8 @@ std::optional<UnreachedWords> words_for(const ProgramAnalysis& analysis,
     const auto* stop = std::get_if<Stop>(&ender.what);
     const bool ends = stop != nullptr && stop->kind != Stop::Kind::alarm;
     if (!region.work) return std::nullopt;
+    if (region.leaves && goes_right_on(analysis, region, ender))
+        return UnreachedWords{"middle", *region.work, {quoted(program, *region.work), before, line}, false};
     const bool may_begin_there = !begins_at_its_head(analysis) || is_parted(program, ender, *region.work);
     if (exemptions::leads_to_an_end.is_on() && region.leaves && may_begin_there) return std::nullopt;
     if (exemptions::switches_behind_end.is_on() && ends && region.only_switches)

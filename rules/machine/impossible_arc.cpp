@@ -1,4 +1,7 @@
 //! MAC522: a circle that cannot be.
+#include "analyzer/dataflow/facts/read.hpp"
+#include "analyzer/dataflow/facts/store.hpp"
+#include "rules/machine/impossible_arc_sizes.hpp"
 #include "rules/machine_check.hpp"
 #include "rules/path.hpp"
 
@@ -17,6 +20,7 @@ extern const Rule impossible_arc{
     .why = "The control stops in the cut, or takes another path than the one that was meant.",
     .severity = Severity::error,
     .precision = Precision::very_high,
+    .facts = dataflow::facts<dataflow::Read, dataflow::Store>(),
     .messages = {{"radii", "Radii of the arc differ: '{0}' begins {1} from its centre and ends {2} from it.",
                   "Correct its end, or the centre in {3}."},
                  {"chord",
@@ -25,6 +29,12 @@ extern const Rule impossible_arc{
                  {"zero", "Radius of 0: '{0}' is no arc.", "Write the radius, or the centre in {1}."},
                  {"at-start", "Centre at the start of the arc: '{0}' has a radius of 0.",
                   "Correct the centre in {1}: it counts from the start."},
+                 {"sizes",
+                  "Two sizes in one circle: '{0}' begins and ends at one distance from its centre only where "
+                  "{1} and {2} are equal.",
+                  "Write one of them in both places, or check that they are."},
+                 {"never", "No circle: '{0}' begins and ends at different distances from its centre{1}.",
+                  "Correct its end, or the centre."},
                  {"other-plane",
                   "Centre of another plane: '{0}' stands in an arc under {1}, whose centre is in {2}.",
                   "Write {2}, or choose the plane before."}},
@@ -32,16 +42,10 @@ extern const Rule impossible_arc{
 O9522(POCKET)
 G17 G90 G21 G0 X10. Y0
 G1 Y30. F200.
-G2 X20. Y40. I12. J0
-M30
-)nc"},
-            {"fanuc", R"nc(
-O9522(POCKET)
-G17 G90 G21 G0 X10. Y0
-G1 Y30. F200.
 G2 X30. Y50. R1.
 X20. Y40. R0
 X10. Y30. I0 J0
+X40. Y60. I12. J0
 M30
 )nc"},
             {"fanuc", R"nc(
@@ -50,6 +54,12 @@ G18 G90 G21 G0 X10. Z0
 G1 Z-10. F200.
 G2 X20. Z-20. I10. J2.
 M30
+)nc"},
+            {"fanuc", R"nc(
+O9523(CORNER, A WAY OF APPROACH, R RADIUS)
+G91 G3 X#1 Y#1 I0 J#18 F200.
+G90
+M99
 )nc"}},
     .good = {{"fanuc", R"nc(
 O9522(POCKET)
@@ -58,7 +68,6 @@ G1 Y30. F200.
 G2 X20. Y40. I10. J0
 G2 X30. Y30. R10.
 G3 I-10. Z-1.
-G2 X37.07 Y27.07 R-10.
 M30
 )nc"},
              {"fanuc", R"nc(
@@ -66,7 +75,6 @@ O9522(CENTRES FROM THE ZERO OF THE PART)
 G17 G90 G21 G0 X10. Y0
 G1 Y30. F200.
 G2 X20. Y40. I20. J30.
-G2 X30. Y30. I20. J30.
 M30
 )nc"}},
     .alarms = {{"FANUC 16i/18i/21i", "020", "OVER TOLERANCE OF RADIUS", false, "radii"},
@@ -85,6 +93,7 @@ std::string length_word(double length) {
 }
 
 void check(const MachineStep& at, Reporter& reporter) {
+    report_wrong_sizes(at, reporter);
     const machine::Arc* arc = at.habits.wrong_arc(at.step.block.span.begin);
     if (arc == nullptr) return;
     const std::string block = at.quoted_block();

@@ -24,6 +24,10 @@ extern const Rule return_through_zero{
                   "Write G91 before it, or a point above the work."},
                  {"from_somewhere",
                   "Return through the work: '{0}' runs to Z{1} first, whatever height the tool is at.",
+                  "Write G91 before it, or a point above the work."},
+                 {"up",
+                  "Return by the work's zero: '{0}' runs to Z{1} of the work first, from Z{2} as it stands "
+                  "here; from above it would run down.",
                   "Write G91 before it, or a point above the work."}},
     .bad = {{"fanuc", R"nc(
 O9567(PLATE)
@@ -80,10 +84,13 @@ void check(const MachineStep& at, Reporter& reporter) {
     const bool is_unknown = std::isnan(height);
     const bool is_at_work =
         at.before().length_offset.is_known() && at.before().length_offset.value > 0 && at.before().cut.is(1);
-    if (is_unknown ? !is_at_work : height <= point->value) return;
-    reporter.report(
-        at.cause(), at.block(), is_unknown ? "from_somewhere" : "down",
+    if (is_unknown && !is_at_work) return;
+    const bool is_up = height <= point->value;
+    const char* message = is_unknown ? "from_somewhere" : is_up ? "up" : "down";
+    Finding& finding = reporter.report(
+        at.cause(), at.block(), message,
         {at.quoted_block(), number_word(point->value), is_unknown ? std::string() : number_word(height)});
+    if (is_up) finding.severity = Severity::note;
 }
 
 } // namespace

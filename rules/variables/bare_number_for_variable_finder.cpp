@@ -47,7 +47,17 @@ const Word* word_at(const Program& program, Offset at) {
     return word.span.contains(at) ? &word : nullptr;
 }
 
-/// `[517]`. A small number is a number more often: then a word of the same letter takes the variable.
+/// Whether it is the number of the argument that the word's own letter sets: `X[24]`.
+bool is_argument_of_letter(const Program& program, const Word& word, std::int64_t number) {
+    const ControlModel& control = *program.control;
+    return std::ranges::any_of(control.formals, [&](Variable formal) {
+        const auto letter = formal.number == number ? control.letter_of(formal) : std::nullopt;
+        return letter && word.address == std::string_view(&*letter, 1);
+    });
+}
+
+/// `[517]`. A small number is a number more often: then a word of the same letter takes the variable, or the
+/// letter is that of the argument.
 void find_in_brackets(const Program& program, const VariableWords& siblings, std::vector<BareNumber>& found) {
     constexpr std::int64_t first_common = 100;
     for (const Expression& expression : program.expressions) {
@@ -59,7 +69,9 @@ void find_in_brackets(const Program& program, const VariableWords& siblings, std
         const auto sibling = word == nullptr ? siblings.end() : siblings.find({word->address, *number});
         if (sibling != siblings.end())
             found.push_back({*number, expression.span, sibling->second});
-        else if (*number >= first_common && names_variable(program, *number))
+        else if ((*number >= first_common ||
+                  (word != nullptr && is_argument_of_letter(program, *word, *number))) &&
+                 names_variable(program, *number))
             found.push_back({*number, expression.span, {}});
     }
 }

@@ -1,6 +1,7 @@
-//! MAC215: of two statements alike for two axes one takes the variable of the other.
+//! MAC215: of statements alike for two axes, or two work offsets, one takes the variable of the other.
 #include "rules/path.hpp"
 #include "rules/rule.hpp"
+#include "rules/variables/crossed_axes_cases_finder.hpp"
 #include "rules/variables/crossed_axes_finder.hpp"
 
 namespace maclint::rules {
@@ -12,20 +13,30 @@ void check(const ProgramAnalysis& analysis, Reporter& reporter);
 extern const Rule crossed_axes{
     .code = "MAC215",
     .name = "copy-paste-asymmetry",
-    .summary = "Of two statements alike for two axes, one takes the variable of the other axis",
-    .why = "A block was copied for the next axis and one variable in it left as it was: the axis goes to a "
-           "place "
-           "that the other one decides.",
+    .summary = "Of statements alike for two axes or work offsets, one takes the variable of the other",
+    .why = "A block was copied for the next axis, or the next work offset, and one variable in it left as it "
+           "was: the axis goes to a place that the other one decides.",
     .severity = Severity::warning,
     .precision = Precision::high,
     .messages = {{"crossed",
                   "Axes crossed: '{0}' is made of {1}, where '{2}' beside it is made of its own {3}.",
-                  "Take {4}, or say in a comment why not."}},
+                  "Take {4}, or say in a comment why not."},
+                 {"case", "Another work offset: {0} belongs to {1}, and '{2}' stands in the case for {3}.",
+                  "Take {4}, as the other cases take their own."}},
     .bad = {{"fanuc", R"nc(
 O9215(POINT FROM WHERE THE TOOL IS)
 #24=#5001+#24
 #25=#5002+#24
 G0 X#24 Y#25
+M99
+)nc"},
+            {"fanuc", R"nc(
+O9216(PLACE OF THE TABLE, B ANGLE)
+IF[#4014EQ54]THEN #131=#5221*COS[#2]
+IF[#4014EQ54]THEN #133=#5263*SIN[#2]
+IF[#4014EQ56]THEN #131=#5261*COS[#2]
+IF[#4014EQ56]THEN #133=#5263*SIN[#2]
+G0 X#131 Z#133
 M99
 )nc"}},
     .good = {{"fanuc", R"nc(
@@ -43,7 +54,20 @@ M99
 
 namespace {
 
+void report_cases(const ProgramAnalysis& analysis, Reporter& reporter) {
+    const Program& program = analysis.program();
+    for (const OffsetOfAnotherCase& other : find_offsets_of_other_cases(analysis)) {
+        const Span span = program.expressions[other.operand].span;
+        Finding& finding = reporter.report({analysis, other.effect}, span, "case",
+                                           {quoted(program, span), "G" + number_word(other.taken),
+                                            quoted(program, program.effects[other.effect].span),
+                                            "G" + number_word(other.asked), program.spell(other.meant)});
+        finding.related.push_back(related_at_effect(analysis, other.own, "this case takes its own"));
+    }
+}
+
 void check(const ProgramAnalysis& analysis, Reporter& reporter) {
+    report_cases(analysis, reporter);
     const Program& program = analysis.program();
     for (const CrossedStatements& crossed : find_crossed_statements(program)) {
         const Span span = program.expressions[crossed.operand].span;

@@ -1,10 +1,13 @@
 //! Holds the expressions of two assignments against each other.
 #include "rules/variables/crossed_axes_finder.hpp"
 
+#include "analyzer/dialect/axis_numbers.hpp"
 #include "analyzer/program/block_view.hpp"
 #include "analyzer/program/machine_words.hpp"
 #include "analyzer/program/tables.hpp"
 
+#include <algorithm>
+#include <cstdint>
 #include <optional>
 #include <string_view>
 #include <utility>
@@ -17,6 +20,12 @@ struct Operands {
     ExpressionId first, second;
     Variable of_first, of_second;
 };
+
+/// Which axis the number of a family belongs to, from 1 on; 0: it does not go by axes.
+std::int32_t axis_of(const Program& program, FamilyId family, std::int32_t number) {
+    const AxisNumbers* row = axis_numbers(*program.control, family, number);
+    return row == nullptr ? 0 : row->axis(number);
+}
 
 /// The two expressions, side by side.
 class Pair {
@@ -39,7 +48,10 @@ class Pair {
             const auto& other = std::get<LoadMachine>(b);
             const auto apart = other.number - machine->number;
             axes_ |= apart == 1;
-            return machine->family == other.family && (apart == 0 || apart == 1);
+            if (machine->family != other.family || (apart != 0 && apart != 1)) return false;
+            if (apart == 0 && axis_of(program_, machine->family, machine->number) != 0)
+                of_one_axis_.push_back({first, second, place_of(*machine), place_of(*machine)});
+            return true;
         }
         if (const auto* literal = std::get_if<Literal>(&a))
             return literal->value == std::get<Literal>(b).value;
@@ -54,10 +66,16 @@ class Pair {
 
     [[nodiscard]] bool has_places_of_axes() const { return axes_; }
     [[nodiscard]] const std::vector<Operands>& operands() const { return operands_; }
+    /// Where both take the same number of those that go by axes.
+    [[nodiscard]] const std::vector<Operands>& of_one_axis() const { return of_one_axis_; }
 
   private:
+    [[nodiscard]] Variable place_of(const LoadMachine& machine) const {
+        return {program_.control->families[machine.family].find(machine.number)->space, machine.number};
+    }
+
     const Program& program_;
-    std::vector<Operands> operands_;
+    std::vector<Operands> operands_, of_one_axis_;
     bool axes_ = false;
 };
 
@@ -65,6 +83,7 @@ struct Statement {
     EffectId effect;
     const Assign* assign;
     Variable target;
+    std::int32_t axis; ///< of the offset that it sets; 0: it sets none
 };
 
 bool is_next(Variable variable, Variable next) {
@@ -81,10 +100,33 @@ bool are_axes(const Program& program, Variable first, Variable second) {
     return a && b && is_axis(*a) && is_axis(*b);
 }
 
+/// Both take the place of one axis where they set offsets of two, or take other places of two.
+std::optional<CrossedStatements> crossed_places(const Program& program, const Pair& pair,
+                                                const Statement& one, const Statement& two) {
+    const bool follow = std::ranges::all_of(pair.operands(), [](const Operands& operands) {
+        return operands.of_first == operands.of_second || is_next(operands.of_first, operands.of_second);
+    });
+    const bool for_axes = one.axis != 0 && two.axis == one.axis + 1;
+    if (!follow || !for_axes || pair.of_one_axis().size() != 1) return std::nullopt;
+    const Operands& place = pair.of_one_axis().front();
+    const auto* load = std::get_if<LoadMachine>(&program.expressions[place.first].node);
+    const std::int32_t axis = axis_of(program, load->family, load->number);
+    Variable meant = place.of_first;
+    if (axis == one.axis) {
+        ++meant.number;
+        return CrossedStatements{two.effect, one.effect, place.second, meant, place.of_first};
+    }
+    --meant.number;
+    if (axis == two.axis)
+        return CrossedStatements{one.effect, two.effect, place.first, meant, place.of_first};
+    return std::nullopt;
+}
+
 std::optional<CrossedStatements> crossed(const Program& program, const Statement& one, const Statement& two) {
     Pair pair(program);
     if (!is_next(one.target, two.target) || !pair.alike(one.assign->value, two.assign->value))
         return std::nullopt;
+    if (auto places = crossed_places(program, pair, one, two)) return places;
     std::optional<CrossedStatements> found;
     bool others_follow = pair.has_places_of_axes();
     for (const Operands& operands : pair.operands()) {
@@ -108,9 +150,17 @@ std::optional<Statement> statement_of(const Program& program, ItemId item) {
     const auto block = stored_block(program, item);
     if (!block || block->effects.count != 1) return std::nullopt;
     const auto* assign = std::get_if<Assign>(&program.effects[block->effects.first].what);
-    const auto* target = assign == nullptr ? nullptr : std::get_if<Variable>(&assign->target);
-    if (target == nullptr) return std::nullopt;
-    return Statement{block->effects.first, assign, *target};
+    if (assign == nullptr) return std::nullopt;
+    if (const auto* target = std::get_if<Variable>(&assign->target))
+        return Statement{block->effects.first, assign, *target, 0};
+    const auto* offset = std::get_if<StoreMachine>(&assign->target);
+    const VariableRange* range =
+        offset == nullptr ? nullptr : program.control->families[offset->family].find(offset->number);
+    if (range == nullptr) return std::nullopt;
+    return Statement{block->effects.first,
+                     assign,
+                     {range->space, offset->number},
+                     axis_of(program, offset->family, offset->number)};
 }
 
 } // namespace

@@ -11,6 +11,7 @@
 namespace maclint {
 namespace {
 
+using test::judged;
 using test::lines_raised;
 using test::messages_raised;
 using ::testing::AllOf;
@@ -144,6 +145,38 @@ TEST(CycleDepth, LiesBelowTheLevelFromWhichTheCycleFeeds) {
     EXPECT_THAT(cycle("G91 G99 G81 Z5. R-20. F100."), ElementsAre(3));
     EXPECT_THAT(cycle("G91 G99 G81 Z-5. R-20. F100."), IsEmpty());
     EXPECT_THAT(cycle("G18 G99 G81 Z5. R2. Y-20. F100."), IsEmpty());
+}
+
+// ---- MAC522, of sizes that are not known
+
+std::vector<std::string> arc_of_sizes(const std::string& blocks) {
+    return messages_raised("MAC522", "O9522\nG91 G1 X-20. F200.\n" + blocks + "\nG90\nM99\n");
+}
+
+TEST(ArcOfSizes, IsNoneForTwoThatDiffer) {
+    EXPECT_THAT(arc_of_sizes("G3 X#1 Y#1 I0 J#18"), ElementsAre(HasSubstr("where #1 and #18 are equal")));
+    EXPECT_THAT(arc_of_sizes("#20=#7\nG2 X#20 Y-#20 J-#18"), ElementsAre(HasSubstr("only where")));
+    EXPECT_THAT(arc_of_sizes("G3 X#1 Y#1 I0 J#1"), IsEmpty());
+    EXPECT_THAT(arc_of_sizes("G3 X-#18 Y#18 I-#18 J0"), IsEmpty());
+    EXPECT_THAT(arc_of_sizes("G3 I-#18"), IsEmpty());
+    // Four sizes may fit each other.
+    EXPECT_THAT(arc_of_sizes("G3 X#24 Y#25 I#4 J#5"), IsEmpty());
+    EXPECT_THAT(arc_of_sizes("#5=SQRT[#18*#18-#1*#1]\nG3 X[#18-#1] Y#5 I-#1 J#5"), IsEmpty());
+}
+
+TEST(ArcOfSizes, IsNoneForAnyNumber) {
+    EXPECT_THAT(arc_of_sizes("#20=#7/2\nG3 X-#20 Y#20 I-#7 J0"),
+                ElementsAre(AllOf(HasSubstr("No circle"), HasSubstr("with #7 of 3.7"))));
+    EXPECT_THAT(arc_of_sizes("#20=#7/2\nG3 X-#20 Y#20 I-#20 J0"), IsEmpty());
+    EXPECT_THAT(arc_of_sizes("#20=5.\nG3 X-#20 Y#20 I-[#20+1.] J0"), ElementsAre(HasSubstr("No circle")));
+    EXPECT_THAT(judged("MAC522", "O9522\nG91 G1 X-20. F200.\nG3 X#1 Y#1 I0 J#18\nG90\nM99\n"),
+                ElementsAre("warning 3"));
+}
+
+TEST(ArcOfSizes, CountsFromTheTool) {
+    EXPECT_THAT(messages_raised("MAC522", "O9522\nG90 G1 X-20. F200.\nG3 X#1 Y#1 I0 J#18\nM99\n"), IsEmpty());
+    EXPECT_THAT(arc_of_sizes("G18 G3 X#1 Y#1 I0 J#18"), IsEmpty());
+    EXPECT_THAT(arc_of_sizes("G3 X#1 Y#1 I0 J#5041"), IsEmpty());
 }
 
 } // namespace

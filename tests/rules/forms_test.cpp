@@ -96,6 +96,7 @@ constexpr Row refused[] = {
     {"IF[#101LT0]#102=3", "MAC325"},
     {"IF[#101EQ2]G0TO5", "MAC118"},
     {"IF[#101LT0]M8", "MAC325"},
+    {"IF[#101LT0]N005", "MAC325"},
     {"IF[#101LT0]IF[#102EQ2]GOTO5", "MAC325"},
     {"IF[#101LT0]", "MAC325"},
     {"IF[#101LT0]THEN", "MAC118"},

@@ -10,6 +10,7 @@
 namespace maclint {
 namespace {
 
+using test::judged;
 using test::lines_raised;
 using ::testing::ElementsAre;
 using ::testing::IsEmpty;
@@ -165,6 +166,9 @@ TEST(ReturnThroughZero, IsOneThatGoesDown) {
     const std::string above = begins + "S500 M3\nG43 H1 Z50.\nG1 Z-5. F200.\nG0 Z50.\n";
     EXPECT_THAT(lines_raised("MAC567", above + "G28 Z0\nM30\n"), ElementsAre(8));
     EXPECT_THAT(lines_raised("MAC567", above + "G28 Z100.\nM30\n"), IsEmpty());
+    // From below it comes out of the work: told, since nothing but the place keeps it from going in.
+    EXPECT_THAT(judged("MAC567", above + "G1 Z-5.\nG28 Z0\nM30\n"), ElementsAre("note 9"));
+    EXPECT_THAT(judged("MAC567", above + "G28 Z0\nM30\n"), ElementsAre("warning 8"));
     EXPECT_THAT(lines_raised("MAC567", above + "G91 G28 Z0\nM30\n"), IsEmpty());
     EXPECT_THAT(lines_raised("MAC567", above + "G28 X0 Y0\nM30\n"), IsEmpty());
 }

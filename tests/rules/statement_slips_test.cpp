@@ -121,5 +121,45 @@ TEST(Angles, AreDegreesOnBothSidesOfTheFunctions) {
     EXPECT_THAT(judged("MAC707", macro("#30=SIN[#1*180/4]\nG0 X#30")), IsEmpty());
 }
 
+TEST(Angles, AreConvertedByOneFactorOrAVariableThatHoldsIt) {
+    const auto macro = [](const std::string& body) { return "O9001\n" + body + "\nM99\n"; };
+    EXPECT_THAT(judged("MAC707", macro("G0 X[COS[#1*.0174533]]")), ElementsAre("warning 2"));
+    EXPECT_THAT(judged("MAC707", macro("G0 X[SIN[#1/57.2958]]")), ElementsAre("warning 2"));
+    EXPECT_THAT(judged("MAC707", macro("#5=ATAN[#4]/[#6]*57.3\nG0 A#5")), ElementsAre("warning 2"));
+    EXPECT_THAT(judged("MAC707", macro("#30=3.14159265\n#1=#1*#30/180\nG0 X[SIN[#1]]")),
+                ElementsAre("warning 3"));
+    EXPECT_THAT(judged("MAC707", macro("G0 X[COS[#1*57.2958]]")), IsEmpty());
+    EXPECT_THAT(judged("MAC707", macro("G0 X[#1*.0174533]")), IsEmpty()); // the length of an arc
+    EXPECT_THAT(judged("MAC707", macro("G0 X[COS[#1*.0175]]")), IsEmpty());
+}
+
+TEST(NumberForAVariable, IsThatOfTheWordsOwnArgument) {
+    EXPECT_THAT(judged("MAC229", "O9001\nG0 X[24] Y#25\nG1 Y[#24+1.] F#9\nM99\n"), ElementsAre("warning 2"));
+    EXPECT_THAT(judged("MAC229", "O9001\nG0 X[24] Y#25\nM99\n"), IsEmpty()); // nothing names #24
+    EXPECT_THAT(judged("MAC229", "O9001\nG0 X[25] Y#25 Z#24\nM99\n"), IsEmpty());
+    EXPECT_THAT(judged("MAC229", "O9001\nG0 X[24.] Y#25 Z#24\nM99\n"), IsEmpty());
+}
+
+TEST(ValueForANumber, PicksAVariableByWhatAnOffsetHolds) {
+    EXPECT_THAT(judged("MAC233", "O9001\n#33=#[#2400+#7]\nG0 Z#33\nM99\n"), ElementsAre("warning 2"));
+    EXPECT_THAT(judged("MAC233", "O9001\n#[#7+#5220]=#24\nM99\n"), ElementsAre("warning 2"));
+    EXPECT_THAT(messages_raised("MAC233", "O9001\n#33=#[#2400+#7]\nG0 Z#33\nM99\n"),
+                ElementsAre(HasSubstr("Write #2400 without its #")));
+    EXPECT_THAT(judged("MAC233", "O9001\n#33=#[2400+#7]\nG0 Z#33\nM99\n"), IsEmpty());
+    EXPECT_THAT(judged("MAC233", "O9001\n#33=#[#4120+#7]\nG0 Z#33\nM99\n"), IsEmpty()); // the tool in force
+    EXPECT_THAT(judged("MAC233", "O9001\n#33=#[2000+#4111]\nG0 Z#33\nM99\n"), IsEmpty());
+}
+
+TEST(RatioAsLength, IsAFunctionOfAnAngleAlone) {
+    const auto word = [](const std::string& words) {
+        return judged("MAC230", "O9001\nG1 " + words + " F#9\nM99\n");
+    };
+    EXPECT_THAT(word("X-SIN[#1]"), ElementsAre("note 2"));
+    EXPECT_THAT(word("X[COS[#1]] Y[-TAN[#1]]"), ElementsAre("note 2", "note 2"));
+    EXPECT_THAT(word("X[#18*SIN[#1]]"), IsEmpty());
+    EXPECT_THAT(word("A[ATAN[#4]/[#5]]"), IsEmpty()); // an axis that turns
+    EXPECT_THAT(judged("MAC230", "O9001\nG65 P9002 X[SIN[#1]]\nM99\n"), IsEmpty());
+}
+
 } // namespace
 } // namespace maclint

@@ -133,5 +133,14 @@ TEST(MissingProgramEnd, MayStandInAnotherProgramOrABlockThatIsSkipped) {
     EXPECT_THAT(judged("MAC455", "O1\nM98 P2\nG0 X1.\nM30\nO2\nX1.\n"), IsEmpty());
 }
 
+TEST(UnreachableCode, GoesOnBehindAnEndThatWasLeftInTheMiddle) {
+    const std::string begin = "O1\nG90 G0 X0\nM30\n", rest = "G55 G0 X0\nG1 X10. F100.\nM30\n";
+    EXPECT_THAT(judged("MAC460", begin + rest), ElementsAre("note 4"));
+    EXPECT_THAT(messages_raised("MAC460", begin + rest), ElementsAre(HasSubstr("End in the middle")));
+    for (const char* part : {"N5", "\n", "(SECOND PART)\n", "T2 M6\n"})
+        EXPECT_THAT(judged("MAC460", begin + part + rest), IsEmpty()) << part;
+    EXPECT_THAT(judged("MAC460", "O1\nG90 G0 X0\nM99\n" + rest), IsEmpty());
+}
+
 } // namespace
 } // namespace maclint

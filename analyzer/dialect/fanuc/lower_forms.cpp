@@ -83,6 +83,16 @@ void BlockLowering::check_row(std::span<const Node* const> items) {
         refuse(SyntaxErrorKind::words_beside_statement, rest, "");
 }
 
+/// `IF[#1EQ2]N3`: the jump is missing, and the control reads the number of a block in the middle of one.
+void BlockLowering::refuse_number_for_jump(const Node& number) {
+    const Span all = span(number);
+    const std::string_view written = text(number);
+    const std::size_t digits = written.find_first_of("0123456789");
+    const Span letter{all.begin, all.begin + static_cast<Offset>(digits)};
+    refuse(SyntaxErrorKind::consequence_without_then, all, "GOTO" + std::string(written.substr(digits)),
+           {"Write GOTO for N", true, {{letter, "GOTO"}}});
+}
+
 /// [4: IF takes a GOTO, or THEN and one statement]
 void BlockLowering::check_consequences(const Node& if_statement, std::span<const Node* const> consequences) {
     const bool has_then = child(if_statement, Field::then) != nullptr;
@@ -95,6 +105,8 @@ void BlockLowering::check_consequences(const Node& if_statement, std::span<const
     if (first == Kind::letter_o_word && find_jump_misspelt(span(*consequences.front()))) return; // IF[..]GOT5
     const bool foreign = std::ranges::any_of(
         consequences, [](const Node* node) { return kind_of(*node) == Kind::foreign_keyword; });
+    if (first == Kind::sequence_number && !has_then && !foreign)
+        return refuse_number_for_jump(*consequences.front());
     if (foreign || (!is_statement(first) && !is_word(first))) return;
     const Span rest = join(span(*consequences.front()), span(*consequences.back()));
     if (first == Kind::goto_statement || (first == Kind::if_statement && has_then)) {

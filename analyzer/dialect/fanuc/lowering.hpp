@@ -142,6 +142,7 @@ class BlockLowering : private TreeLowering {
     void check_numbers(std::span<const syntax::Node* const> items);
     void check_block_numbers(std::span<const syntax::Node* const> items);
     void check_row(std::span<const Node* const> items);
+    void refuse_number_for_jump(const Node& number);
     void check_consequences(const Node& if_statement, std::span<const Node* const> consequences);
     void check_condition(const Node& condition, std::string_view fault);
     void check_label(const Node& label);
