@@ -36,10 +36,18 @@ struct NamePlace {
     std::string_view before; ///< "P"
 };
 
-/// What the words of a language mean, and where its names stand.
+/// A program that the control brings.
+struct BroughtCycle {
+    std::string_view name;       ///< capitals
+    std::string_view parameters; ///< in their order, blanks between them: "RTP RFP"; empty: not known
+    bool wants_no_compensation;  ///< it stops with an alarm while radius compensation is in force
+};
+
+/// What the words of a language mean, where its names stand, and which programs its controls bring.
 struct LanguageTables {
     std::span<const LanguageWord> words;
     std::span<const NamePlace> name_places;
+    std::span<const BroughtCycle> cycles = {};
 };
 
 /// "keyword", "function".

@@ -1,12 +1,8 @@
 //! SIN412: a drilling cycle whose planes and depth contradict each other.
-#include "analyzer/dialect/ascii.hpp"
-#include "analyzer/dialect/sinumerik/cycles.hpp"
-#include "analyzer/workspace/program_analysis.hpp"
+#include "analyzer/queries/calls/brought_cycles.hpp"
+#include "analyzer/queries/calls/callers.hpp"
 #include "rules/path.hpp"
 #include "rules/rule.hpp"
-
-#include <optional>
-#include <string_view>
 
 namespace maclint::rules {
 
@@ -47,31 +43,15 @@ M30
 
 namespace {
 
-/// The number that stands there as the argument; nothing where it is left out or calculated.
-std::optional<double> argument(const Program& program, const Call& call, const sinumerik::CycleRow& cycle,
-                               std::string_view parameter) {
-    const auto place = sinumerik::place_of_parameter(cycle, parameter);
-    if (!place) return std::nullopt;
-    for (const Argument& given : program.arguments_of(call)) {
-        const auto* position = std::get_if<ArgumentPosition>(&given.given);
-        if (position == nullptr || position->number != *place) continue;
-        const auto* literal = std::get_if<Literal>(&program.expressions[given.value].node);
-        if (literal != nullptr) return literal->value;
-    }
-    return std::nullopt;
-}
-
 void check(const ProgramAnalysis& analysis, Reporter& reporter) {
     const Program& program = analysis.program();
     for (const CallSite& site : analysis.calls()) {
-        const auto* call = std::get_if<Call>(&program.effects[site.effect].what);
-        const auto* name = call == nullptr ? nullptr : std::get_if<Text>(&call->program);
-        if (name == nullptr || site.candidates != 0) continue; // the shop has a program of the name
-        const auto* cycle = sinumerik::find_cycle(in_capitals(program.slice(name->characters)));
+        const BroughtCycle* cycle = queries::cycle_called(analysis, site.effect);
         if (cycle == nullptr) continue;
-        const auto back = argument(program, *call, *cycle, "RTP"),
-                   from = argument(program, *call, *cycle, "RFP"),
-                   depth = argument(program, *call, *cycle, "DP");
+        const Call& call = queries::call_of(program, site.effect);
+        const auto back = queries::number_passed(program, call, *cycle, "RTP");
+        const auto from = queries::number_passed(program, call, *cycle, "RFP");
+        const auto depth = queries::number_passed(program, call, *cycle, "DP");
         if (!back || !from || !depth || *back == *from || (*back > *from) == (*depth < *from)) continue;
         const Span span = program.effects[site.effect].span;
         reporter.report({analysis, site.effect}, span, "depth",

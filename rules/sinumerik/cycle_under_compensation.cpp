@@ -1,8 +1,6 @@
 //! SIN411: a drilling or milling cycle while radius compensation is in force.
 #include "analyzer/dataflow/facts/point_state.hpp"
-#include "analyzer/dialect/ascii.hpp"
-#include "analyzer/dialect/sinumerik/cycles.hpp"
-#include "analyzer/queries/calls/callers.hpp"
+#include "analyzer/queries/calls/brought_cycles.hpp"
 #include "rules/rule.hpp"
 #include "rules/sinumerik/under_compensation.hpp"
 
@@ -54,23 +52,13 @@ M30
 
 namespace {
 
-/// Whether the effect calls one of them, and no program of the shop with its name.
-bool calls_cycle(const ProgramAnalysis& analysis, EffectId id) {
-    const Program& program = analysis.program();
-    const auto* call = std::get_if<Call>(&program.effects[id].what);
-    const auto* written = call == nullptr ? nullptr : std::get_if<Text>(&call->program);
-    if (written == nullptr) return false;
-    const std::string name = in_capitals(program.slice(written->characters));
-    if (!sinumerik::wants_no_compensation(name)) return false;
-    const CallSite* site = analysis.call_at(id);
-    return site == nullptr || site->candidates == 0;
-}
-
 void check(const ProgramAnalysis& analysis, Reporter& reporter) {
     report_under_compensation(
         analysis, "cycle", reporter, [&](const BlockView& block) -> std::optional<EffectId> {
             for (EffectId id = block.effects.first; id < block.effects.first + block.effects.count; ++id)
-                if (calls_cycle(analysis, id)) return id;
+                if (const BroughtCycle* cycle = queries::cycle_called(analysis, id);
+                    cycle != nullptr && cycle->wants_no_compensation)
+                    return id;
             return std::nullopt;
         });
 }

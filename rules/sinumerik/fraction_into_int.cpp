@@ -13,7 +13,7 @@ extern const Rule fraction_into_int{
     .severity = Severity::warning,
     .precision = Precision::high,
     .needs = {Capability::paired_words},
-    .messages = {{"cure", "Decimals are lost: an INT does not hold '{0}'.",
+    .messages = {{"plain", "Decimals are lost: an INT does not hold '{0}'.",
                   "Write a whole number, or store it in a REAL."}},
     .bad = {{"sinumerik", R"nc(
 DEF INT WIDTH_

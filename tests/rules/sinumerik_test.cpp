@@ -222,7 +222,7 @@ TEST(SinumerikNames, AreThoseOfTheFile) {
 TEST(SinumerikSlips, WordsOfTheLanguageAreMeant) {
     EXPECT_THAT(findings("MAC118", "DFE INT ROW_NO\nROW_NO=1\nM30\n"), SizeIs(1));
     EXPECT_THAT(findings("MAC118", "DE STRING[20] TEXT_\nM30\n"), SizeIs(1));
-    EXPECT_THAT(findings("MAC118", "PORC SLOT(REAL DEPTH) SAVE\nM17\n"), SizeIs(1));
+    EXPECT_THAT(findings("MAC118", "PORC SLOT SAVE\nM17\n"), SizeIs(1));
     EXPECT_THAT(findings("MAC118", "EXTREN SLOT(REAL)\nM30\n"), SizeIs(1));
     EXPECT_THAT(findings("MAC118", "G0 X1\nPORC SLOT\nM17\n"), IsEmpty()); // no place for a PROC
     EXPECT_THAT(findings("MAC118", "DFE X40\nM30\n"), IsEmpty());
@@ -236,8 +236,8 @@ TEST(SinumerikSlips, WhatCannotBeReadMayHaveParametersAndSave) {
     EXPECT_THAT(findings("SIN407", main + "G91 G0 Z5\nM17\n"), SizeIs(1));
     EXPECT_THAT(findings("SIN407", main + "PORC SLOT(REAL DEPTH) SAVE\nG91 G0 Z5\nM17\n"), IsEmpty());
     EXPECT_THAT(findings("SIN407", main + "PROC SLOT(REAL DEPTH SAVE\nG91 G0 Z5\nM17\n"), IsEmpty());
-    EXPECT_THAT(findings("MAC501", main + "PROC SLOT(REAL DEPTH SAVE\nG91 G0 Z5\nM17\n"), IsEmpty());
-    EXPECT_THAT(findings("MAC501", main + "PROC SLOT(REAL DEPTH\nG91 G0 Z5\nM17\n"), SizeIs(1));
+    EXPECT_THAT(findings("MAC501", main + "PORC SLOT SAVE\nG91 G0 Z5\nM17\n"), IsEmpty());
+    EXPECT_THAT(findings("MAC501", main + "PORC SLOT\nG91 G0 Z5\nM17\n"), SizeIs(1));
 }
 
 TEST(SinumerikSlips, ACommandIsMeantWhereNoProgramHasTheName) {

@@ -2,7 +2,6 @@
 #include "analyzer/dialect/sinumerik/cycles.hpp"
 
 #include "analyzer/dialect/characters.hpp"
-#include "analyzer/dialect/sinumerik/word_list.hpp"
 
 #include <algorithm>
 #include <iterator>
@@ -99,18 +98,14 @@ bool is_cycle_name(std::string_view capitals) {
            std::ranges::all_of(capitals.substr(stem.size()), is_digit);
 }
 
-bool wants_no_compensation(std::string_view capitals) {
-    return std::ranges::binary_search(off_compensation, capitals);
-}
-
-std::optional<std::size_t> place_of_parameter(const CycleRow& cycle, std::string_view name) {
-    std::optional<std::size_t> place;
-    std::size_t next = 0;
-    for_each_word(cycle.older_parameters, [&](std::string_view parameter) {
-        if (parameter == name) place = next;
-        ++next;
-    });
-    return place;
+std::vector<BroughtCycle> brought_cycles() {
+    std::vector<BroughtCycle> cycles;
+    for (const CycleRow& row : rows)
+        cycles.push_back(
+            {row.name, row.older_parameters, std::ranges::binary_search(off_compensation, row.name)});
+    for (const std::string_view name : off_compensation)
+        if (find_cycle(name) == nullptr) cycles.push_back({name, {}, true});
+    return cycles;
 }
 
 } // namespace maclint::sinumerik

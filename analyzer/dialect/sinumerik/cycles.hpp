@@ -1,10 +1,11 @@
 //! The cycles that the control brings.
 #pragma once
 
-#include <cstddef>
+#include "analyzer/program/language_words.hpp"
+
 #include <cstdint>
-#include <optional>
 #include <string_view>
+#include <vector>
 
 namespace maclint::sinumerik {
 
@@ -37,10 +38,8 @@ struct CycleRow {
 /// [FUND04 p.60].
 [[nodiscard]] bool is_cycle_name(std::string_view capitals);
 
-/// Whether the cycle stops with an alarm while radius compensation is in force.
-[[nodiscard]] bool wants_no_compensation(std::string_view capitals);
-/// Counted from 0, among the parameters that newer versions have kept.
-[[nodiscard]] std::optional<std::size_t> place_of_parameter(const CycleRow& cycle, std::string_view name);
+/// All that have a row, and older ones of which less is known.
+[[nodiscard]] std::vector<BroughtCycle> brought_cycles();
 
 /// So many program levels a cycle needs below the one that calls it [NCP19 p.493].
 inline constexpr int cycle_levels = 3;

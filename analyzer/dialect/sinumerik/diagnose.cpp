@@ -148,10 +148,13 @@ std::optional<SyntaxError> find_cause(std::string_view text, Span block) {
 
 bool declares_program(std::string_view text, Span block) {
     const std::vector<Token> tokens = tokens_of(text, block);
-    constexpr std::size_t furthest = 2; // a block number may stand before it
-    return std::ranges::any_of(
-        std::span(tokens).first(std::min(furthest, tokens.size())),
-        [&](const Token& token) { return in_capitals(text_of(text, token)) == "PROC"; });
+    constexpr std::size_t furthest = 2;       // a block number may stand before it
+    constexpr std::string_view next = "NAME"; // whatever it is
+    return std::ranges::any_of(std::span(tokens).first(std::min(furthest, tokens.size())),
+                               [&](const Token& token) {
+                                   const std::string word = in_capitals(text_of(text, token));
+                                   return word == "PROC" || declaration_meant_by(word, next, true) == "PROC";
+                               });
 }
 
 /// Any name may be a label or a program, and any variable may be written.

@@ -19,7 +19,7 @@ namespace maclint::sinumerik {
 /// What an unreadable block may do, judged by the words in it.
 [[nodiscard]] NamedInBlock names_in(OpenProgram& program, Span block);
 
-/// Whether an unreadable block begins with PROC.
+/// Whether an unreadable block begins with PROC, or with what is meant for it.
 [[nodiscard]] bool declares_program(std::string_view text, Span block);
 
 /// Makes a remark of what stands there.

@@ -121,7 +121,8 @@ constexpr NamePlace name_places[] = {
 
 LanguageTables language_words() {
     static const std::vector<LanguageWord> all = all_words();
-    return {all, name_places};
+    static const std::vector<BroughtCycle> cycles = brought_cycles();
+    return {all, name_places, cycles};
 }
 
 } // namespace maclint::sinumerik

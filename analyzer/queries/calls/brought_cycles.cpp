@@ -1,0 +1,53 @@
+//! Looks for the name in the tables of the program's language.
+#include "analyzer/queries/calls/brought_cycles.hpp"
+
+#include "analyzer/dialect/ascii.hpp"
+#include "analyzer/dialect/dialect.hpp"
+#include "analyzer/program/tables.hpp"
+
+#include <algorithm>
+#include <string>
+
+namespace maclint::queries {
+namespace {
+
+/// Counted from 0.
+std::optional<std::size_t> place_of(std::string_view parameters, std::string_view name) {
+    for (std::size_t place = 0; !parameters.empty(); ++place) {
+        const std::size_t end = std::min(parameters.find(' '), parameters.size());
+        if (parameters.substr(0, end) == name) return place;
+        parameters.remove_prefix(std::min(end + 1, parameters.size()));
+    }
+    return std::nullopt;
+}
+
+} // namespace
+
+const BroughtCycle* cycle_called(const ProgramAnalysis& analysis, EffectId effect) {
+    const Program& program = analysis.program();
+    const auto* call = std::get_if<Call>(&program.effects[effect].what);
+    const auto* written = call == nullptr ? nullptr : std::get_if<Text>(&call->program);
+    const Dialect* dialect = written == nullptr ? nullptr : find_dialect(analysis.control().language);
+    if (dialect == nullptr || dialect->words == nullptr) return nullptr;
+    const CallSite* site = analysis.call_at(effect);
+    if (site != nullptr && site->candidates != 0) return nullptr;
+    const auto cycles = dialect->words().cycles;
+    const auto cycle =
+        std::ranges::find(cycles, in_capitals(program.slice(written->characters)), &BroughtCycle::name);
+    return cycle == cycles.end() ? nullptr : &*cycle;
+}
+
+std::optional<double> number_passed(const Program& program, const Call& call, const BroughtCycle& cycle,
+                                    std::string_view parameter) {
+    const auto place = place_of(cycle.parameters, parameter);
+    if (!place) return std::nullopt;
+    for (const Argument& given : program.arguments_of(call)) {
+        const auto* position = std::get_if<ArgumentPosition>(&given.given);
+        if (position == nullptr || position->number != *place) continue;
+        const auto* literal = std::get_if<Literal>(&program.expressions[given.value].node);
+        if (literal != nullptr) return literal->value;
+    }
+    return std::nullopt;
+}
+
+} // namespace maclint::queries

@@ -1,0 +1,19 @@
+//! Calls of the programs that a control brings.
+#pragma once
+
+#include "analyzer/program/language_words.hpp"
+#include "analyzer/workspace/program_analysis.hpp"
+
+#include <optional>
+#include <string_view>
+
+namespace maclint::queries {
+
+/// The cycle of the control that the effect calls; nullptr: it calls none, or a program of the shop that has
+/// its name.
+[[nodiscard]] const BroughtCycle* cycle_called(const ProgramAnalysis& analysis, EffectId effect);
+/// The number that stands there as the cycle's parameter; nothing where it is left out or calculated.
+[[nodiscard]] std::optional<double> number_passed(const Program& program, const Call& call,
+                                                  const BroughtCycle& cycle, std::string_view parameter);
+
+} // namespace maclint::queries
