@@ -236,8 +236,8 @@ TEST(SinumerikSlips, WhatCannotBeReadMayHaveParametersAndSave) {
     EXPECT_THAT(findings("SIN407", main + "G91 G0 Z5\nM17\n"), SizeIs(1));
     EXPECT_THAT(findings("SIN407", main + "PORC SLOT(REAL DEPTH) SAVE\nG91 G0 Z5\nM17\n"), IsEmpty());
     EXPECT_THAT(findings("SIN407", main + "PROC SLOT(REAL DEPTH SAVE\nG91 G0 Z5\nM17\n"), IsEmpty());
-    EXPECT_THAT(findings("MAC501", main + "PORC SLOT SAVE\nG91 G0 Z5\nM17\n"), IsEmpty());
-    EXPECT_THAT(findings("MAC501", main + "PORC SLOT\nG91 G0 Z5\nM17\n"), SizeIs(1));
+    EXPECT_THAT(findings("MAC501", "PORC STEP_UP SAVE\nG91 G0 Z10\nM17\n"), IsEmpty());
+    EXPECT_THAT(findings("MAC501", "PORC STEP_UP\nG91 G0 Z10\nM17\n"), SizeIs(1));
 }
 
 TEST(SinumerikSlips, ACommandIsMeantWhereNoProgramHasTheName) {
