@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <span>
 #include <string_view>
+#include <vector>
 
 namespace maclint {
 
@@ -38,9 +39,9 @@ struct NamePlace {
 
 /// A program that the control brings.
 struct BroughtCycle {
-    std::string_view name;       ///< capitals
-    std::string_view parameters; ///< in their order, blanks between them: "RTP RFP"; empty: not known
-    bool wants_no_compensation;  ///< it stops with an alarm while radius compensation is in force
+    std::string_view name;                    ///< capitals
+    std::vector<std::string_view> parameters; ///< in their order; empty: not known
+    bool wants_no_compensation; ///< it stops with an alarm while radius compensation is in force
 };
 
 /// What the words of a language mean, where its names stand, and which programs its controls bring.

@@ -1,6 +1,7 @@
 //! Zeros in front of a number make no other word of it.
 #include "cli/config/shop_words.hpp"
 
+#include "analyzer/dialect/characters.hpp"
 #include "cli/text/letters.hpp"
 
 #include <algorithm>
@@ -11,8 +12,6 @@ namespace {
 
 constexpr std::size_t longest_word = 100; ///< bytes
 
-bool is_figure(char c) { return c >= '0' && c <= '9'; }
-
 } // namespace
 
 std::optional<std::string> one_spelling(std::string_view word) {
@@ -20,9 +19,9 @@ std::optional<std::string> one_spelling(std::string_view word) {
     if (std::ranges::any_of(word, [](char c) { return static_cast<unsigned char>(c) <= ' '; }))
         return std::nullopt;
     std::string text = in_upper_case(word);
-    const auto number = static_cast<std::size_t>(std::ranges::find_if(text, is_figure) - text.begin());
+    const auto number = static_cast<std::size_t>(std::ranges::find_if(text, is_digit) - text.begin());
     std::size_t zeros = number;
-    while (zeros + 1 < text.size() && text[zeros] == '0' && is_figure(text[zeros + 1])) ++zeros;
+    while (zeros + 1 < text.size() && text[zeros] == '0' && is_digit(text[zeros + 1])) ++zeros;
     text.erase(number, zeros - number);
     return text;
 }

@@ -1,10 +1,6 @@
 //! Collects the names that outlines give.
 #include "cli/engine/definitions.hpp"
 
-#include "cli/engine/folders.hpp"
-
-#include <algorithm>
-
 namespace maclint::cli {
 
 Definitions::Definitions(const Snapshot& snapshot, std::span<const FileOutline> outlines) {
@@ -14,7 +10,7 @@ Definitions::Definitions(const Snapshot& snapshot, std::span<const FileOutline> 
             std::shared_ptr<TextSet>& names = names_[program.language];
             if (names == nullptr) names = std::make_shared<TextSet>();
             names->insert(program.given_names.begin(), program.given_names.end());
-            folders_.emplace(program.language, folder_of(snapshot.files[i].input.path));
+            folders_.add_that_of(snapshot.files[i].input.path, program.language);
         }
 }
 
@@ -22,11 +18,8 @@ NamesElsewhere Definitions::names_for(const SnapshotFile& file, std::string_view
     NamesElsewhere result;
     if (const auto known = names_.find(language); known != names_.end()) result.defined = known->second;
     if (file.settings.configuration != nullptr) result.named = file.settings.configuration->known_names;
-    const std::string own = folder_of(file.input.path);
-    result.are_all = file.settings.complete || result.named != nullptr ||
-                     std::ranges::any_of(folders_, [&](const auto& holding) {
-                         return holding.first == language && lie_together(own, holding.second);
-                     });
+    result.are_all =
+        file.settings.complete || result.named != nullptr || folders_.lie_by(file.input.path, language);
     return result;
 }
 

@@ -3,15 +3,13 @@
 
 #include "analyzer/workspace/names_elsewhere.hpp"
 #include "analyzer/workspace/outline.hpp"
+#include "cli/engine/folders.hpp"
 #include "cli/engine/snapshot.hpp"
 
 #include <map>
 #include <memory>
-#include <set>
 #include <span>
-#include <string>
 #include <string_view>
-#include <utility>
 
 namespace maclint::cli {
 
@@ -27,7 +25,7 @@ class Definitions {
 
   private:
     std::map<std::string_view, std::shared_ptr<TextSet>> names_; ///< by language
-    std::set<std::pair<std::string_view, std::string>> folders_; ///< languages, and folders with such files
+    Folders folders_;                                            ///< with such files
 };
 
 } // namespace maclint::cli

@@ -1,10 +1,6 @@
 //! Looks through the numbers of all programs.
 #include "cli/engine/own_macros.hpp"
 
-#include "cli/engine/folders.hpp"
-
-#include <algorithm>
-
 namespace maclint::cli {
 namespace {
 
@@ -18,15 +14,11 @@ bool is_for_codes(const ProgramOutline& program) {
 OwnMacros::OwnMacros(const Snapshot& snapshot, std::span<const FileOutline> outlines) {
     for (std::size_t i = 0; i < outlines.size(); ++i)
         for (const ProgramOutline& program : outlines[i].programs)
-            if (is_for_codes(program))
-                folders_.emplace(program.language, folder_of(snapshot.files[i].input.path));
+            if (is_for_codes(program)) folders_.add_that_of(snapshot.files[i].input.path, program.language);
 }
 
 bool OwnMacros::lie_by(const SnapshotFile& file, std::string_view language) const {
-    const std::string own = folder_of(file.input.path);
-    return std::ranges::any_of(folders_, [&](const auto& holding) {
-        return holding.first == language && lie_together(own, holding.second);
-    });
+    return folders_.lie_by(file.input.path, language);
 }
 
 } // namespace maclint::cli

@@ -2,13 +2,11 @@
 #pragma once
 
 #include "analyzer/workspace/outline.hpp"
+#include "cli/engine/folders.hpp"
 #include "cli/engine/snapshot.hpp"
 
-#include <set>
 #include <span>
-#include <string>
 #include <string_view>
-#include <utility>
 
 namespace maclint::cli {
 
@@ -23,7 +21,7 @@ class OwnMacros {
     [[nodiscard]] bool lie_by(const SnapshotFile& file, std::string_view language) const;
 
   private:
-    std::set<std::pair<std::string_view, std::string>> folders_; ///< languages, and folders that hold some
+    Folders folders_; ///< that hold some
 };
 
 } // namespace maclint::cli

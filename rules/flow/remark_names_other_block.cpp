@@ -13,9 +13,8 @@ extern const Rule remark_names_other_block{
     .code = "MAC341",
     .name = "remark-names-other-block",
     .summary = "A jump goes to another block than the remark beside it says",
-    .why = "One of the two was not changed with the other: a check is jumped back to in place of the block "
-           "behind "
-           "it, or the next reader believes the remark.",
+    .why = "One of the two was not changed with the other: the jump goes where it went before, or the next "
+           "reader believes the remark.",
     .severity = Severity::note,
     .precision = Precision::high,
     .needs = {Capability::jumps},

@@ -52,7 +52,9 @@ void check(const ProgramAnalysis& analysis, Reporter& reporter) {
         const auto back = queries::number_passed(program, call, *cycle, "RTP");
         const auto from = queries::number_passed(program, call, *cycle, "RFP");
         const auto depth = queries::number_passed(program, call, *cycle, "DP");
-        if (!back || !from || !depth || *back == *from || (*back > *from) == (*depth < *from)) continue;
+        if (!back || !from || !depth) continue;
+        const bool is_beside = (*back > *from && *depth > *from) || (*back < *from && *depth < *from);
+        if (!is_beside) continue;
         const Span span = program.effects[site.effect].span;
         reporter.report({analysis, site.effect}, span, "depth",
                         {quoted(program, span), number_word(*from), number_word(*depth), number_word(*back)});

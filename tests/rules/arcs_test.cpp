@@ -147,6 +147,16 @@ TEST(CycleDepth, LiesBelowTheLevelFromWhichTheCycleFeeds) {
     EXPECT_THAT(cycle("G18 G99 G81 Z5. R2. Y-20. F100."), IsEmpty());
 }
 
+TEST(ArcsOfAPocket, MayCountTheirCentresFromThePart) {
+    const std::string begins = "O9522\nG17 G90 G21 G0 X10. Y0\nG1 Y30. F200.\nG2 X20. Y40. ";
+    EXPECT_THAT(messages_raised("MAC522", begins + "I20. J30.\nG2 X30. Y30. I20. J30.\nM30\n"), IsEmpty());
+    EXPECT_THAT(messages_raised("MAC522", begins + "I12. J0\nM30\n"),
+                ElementsAre(HasSubstr("begins 12 from its")));
+    EXPECT_THAT(
+        messages_raised("MAC522", begins + "I10. J0\nG2 X30. Y30. R10.\nG2 X37.07 Y27.07 R-10.\nM30\n"),
+        IsEmpty());
+}
+
 // ---- MAC522, of sizes that are not known
 
 std::vector<std::string> arc_of_sizes(const std::string& blocks) {

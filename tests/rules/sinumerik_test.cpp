@@ -263,6 +263,22 @@ TEST(SinumerikCycles, LeaveModesAsTheyAre) {
     EXPECT_THAT(findings("MAC558", "G17 G90 G54\nOF_THE_SHOP(20)\n" + arc), IsEmpty());
 }
 
+TEST(SinumerikCycles, DrillAwayFromWhereTheyDrawBack) {
+    const auto cycle = [](const std::string& planes) {
+        return findings("SIN412", "G17 G90\nCYCLE82(" + planes + ",,0.3)\nM30\n");
+    };
+    EXPECT_THAT(cycle("50,0,2,20"), SizeIs(1));
+    EXPECT_THAT(cycle("-50,0,2,-20"), SizeIs(1));
+    EXPECT_THAT(cycle("50,0,2,-20"), IsEmpty());
+    EXPECT_THAT(cycle("-50,0,2,20"), IsEmpty());
+    EXPECT_THAT(cycle("50,0,2,0"), IsEmpty());
+    EXPECT_THAT(cycle("0,0,2,20"), IsEmpty());
+    EXPECT_THAT(cycle("50,0,2,R1"), IsEmpty());
+    EXPECT_THAT(findings("SIN412", "%_N_A_MPF\nCYCLE82(50,0,2,20)\nM30\n%_N_CYCLE82_SPF\n"
+                                   "PROC CYCLE82(REAL A,REAL B,REAL C,REAL D)\nM17\n"),
+                IsEmpty()); // the shop's own
+}
+
 TEST(SinumerikArcs, AreJudgedInPlanesWithoutDiameters) {
     EXPECT_THAT(findings("MAC522", "G17 G90 G0 X0 Y20\nG2 X20 Y40 CR=11.3\nM30\n"), SizeIs(1));
     EXPECT_THAT(findings("MAC522", "G17 G90 G0 X0 Y20\nG2 X20 Y40 CR=14.2\nM30\n"), IsEmpty());

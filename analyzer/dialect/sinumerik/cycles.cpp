@@ -2,6 +2,7 @@
 #include "analyzer/dialect/sinumerik/cycles.hpp"
 
 #include "analyzer/dialect/characters.hpp"
+#include "analyzer/dialect/sinumerik/word_list.hpp"
 
 #include <algorithm>
 #include <iterator>
@@ -100,9 +101,12 @@ bool is_cycle_name(std::string_view capitals) {
 
 std::vector<BroughtCycle> brought_cycles() {
     std::vector<BroughtCycle> cycles;
-    for (const CycleRow& row : rows)
-        cycles.push_back(
-            {row.name, row.older_parameters, std::ranges::binary_search(off_compensation, row.name)});
+    for (const CycleRow& row : rows) {
+        BroughtCycle& cycle = cycles.emplace_back();
+        cycle = {row.name, {}, std::ranges::binary_search(off_compensation, row.name)};
+        for_each_word(row.older_parameters,
+                      [&](std::string_view parameter) { cycle.parameters.push_back(parameter); });
+    }
     for (const std::string_view name : off_compensation)
         if (find_cycle(name) == nullptr) cycles.push_back({name, {}, true});
     return cycles;

@@ -47,8 +47,10 @@ bool is_command(const WordRow& row) {
     return row.kind == WordKind::procedure || row.name == "MCALL" || row.name == "PCALL";
 }
 
-constexpr std::string_view types[] = {"REAL", "INT",   "BOOL", "CHAR", "STRING",
-                                      "AXIS", "FRAME", "CHAN", "NCK"};
+/// What may stand behind DEF: a type, or the places that know the variable.
+bool begins_definition(std::string_view word) {
+    return word == "CHAN" || word == "NCK" || std::ranges::find(type_names, word) != std::end(type_names);
+}
 
 } // namespace
 
@@ -80,7 +82,7 @@ std::string_view jump_meant_by(std::string_view capitals) { return one_slip_from
 std::string_view declaration_meant_by(std::string_view capitals, std::string_view behind, bool at_the_begin) {
     const auto is_near = [&](std::string_view word) { return edit_distance(capitals, word, 1) <= 1; };
     const std::string_view type = behind.substr(0, behind.find('['));
-    if (std::ranges::find(types, type) != std::end(types)) return is_near("DEF") ? "DEF" : "";
+    if (begins_definition(type)) return is_near("DEF") ? "DEF" : "";
     const bool is_name = behind.size() > 1 && begins_name(behind[0]) && begins_name(behind[1]);
     if (!is_name) return {};
     if (at_the_begin && is_near("PROC")) return "PROC";

@@ -20,6 +20,9 @@ namespace maclint::sinumerik {
 /// The word of a jump, likewise; it has a label behind it.
 [[nodiscard]] std::string_view jump_meant_by(std::string_view capitals);
 
+/// Of variables [NCP19 p.409].
+inline constexpr std::string_view type_names[] = {"REAL", "INT", "BOOL", "CHAR", "STRING", "AXIS", "FRAME"};
+
 /// DEF, PROC or EXTERN, judged by the word behind it too; PROC only where nothing was done before.
 [[nodiscard]] std::string_view declaration_meant_by(std::string_view capitals, std::string_view behind,
                                                     bool at_the_begin);

@@ -13,8 +13,6 @@
 namespace maclint::sinumerik {
 namespace {
 
-constexpr std::string_view type_names[] = {"REAL", "INT", "BOOL", "CHAR", "STRING", "AXIS", "FRAME"};
-
 VariableType kind_of_type(std::string_view name) {
     if (name == "REAL") return VariableType::number;
     if (name == "INT" || name == "CHAR") return VariableType::integer;

@@ -12,7 +12,6 @@
 #include <charconv>
 #include <cmath>
 #include <numbers>
-#include <utility>
 
 namespace maclint::sinumerik {
 namespace {
@@ -163,11 +162,7 @@ ExpressionId BlockLowering::lower_system_variable(const Node& node) {
             if (const auto number = literal_value(lower_expression(*group)))
                 if (const auto row = row_of_g_group(static_cast<int>(*number)))
                     return add({LoadModal{*row}, span(node)});
-    if (index != nullptr) { // $AA_IW[LOADER]
-        const bool around = std::exchange(names_axes_, true);
-        evaluate(lower_all(*index, span(node)), span(node));
-        names_axes_ = around;
-    }
+    if (index != nullptr) evaluate_axes(*index, span(node));
     return changing(without_blanks(text(node)), span(node));
 }
 

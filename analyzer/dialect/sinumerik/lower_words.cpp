@@ -43,6 +43,13 @@ void BlockLowering::evaluate(ExpressionId value, Span here) {
     if (!literal_value(value)) builder_->add_values(values, here);
 }
 
+/// `$AA_IW[LOADER]`, `FA[LOADER]=100`: what stands there may be an axis, whose name the machine gives.
+void BlockLowering::evaluate_axes(const Node& index, Span here) {
+    const bool around = std::exchange(names_axes_, true);
+    evaluate(lower_all(index, here), here);
+    names_axes_ = around;
+}
+
 void BlockLowering::add_word(std::string_view address, std::optional<ExpressionId> value, Span here) {
     const std::string_view name = lasting(address);
     if (!name.empty()) builder_->add_word({name, written_value(value), false, here});
@@ -154,9 +161,7 @@ void BlockLowering::store(const Node& target, ExpressionId value, Span whole) {
             if (const auto* at = std::get_if<LoadAt>(&read.node))
                 return effect({Assign{StoreAt{at->family, at->index}, value}, whole});
         }
-        const bool around = std::exchange(names_axes_, true);
-        evaluate(lower_all(*index, whole), whole);
-        names_axes_ = around;
+        evaluate_axes(*index, whole);
         evaluate(value, whole);
         break;
     }

@@ -104,6 +104,7 @@ class BlockLowering : private TreeLowering {
     void set_rounding(std::string_view name, ExpressionId value, Span whole);
     void set_group_by_number(const Node& index, ExpressionId value, Span whole);
     void evaluate(ExpressionId value, Span here);
+    void evaluate_axes(const Node& index, Span here);
     void add_word(std::string_view address, std::optional<ExpressionId> value, Span here);
     void add_motion();
 

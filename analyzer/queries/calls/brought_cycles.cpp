@@ -6,22 +6,10 @@
 #include "analyzer/program/tables.hpp"
 
 #include <algorithm>
+#include <cstdint>
 #include <string>
 
 namespace maclint::queries {
-namespace {
-
-/// Counted from 0.
-std::optional<std::size_t> place_of(std::string_view parameters, std::string_view name) {
-    for (std::size_t place = 0; !parameters.empty(); ++place) {
-        const std::size_t end = std::min(parameters.find(' '), parameters.size());
-        if (parameters.substr(0, end) == name) return place;
-        parameters.remove_prefix(std::min(end + 1, parameters.size()));
-    }
-    return std::nullopt;
-}
-
-} // namespace
 
 const BroughtCycle* cycle_called(const ProgramAnalysis& analysis, EffectId effect) {
     const Program& program = analysis.program();
@@ -39,11 +27,12 @@ const BroughtCycle* cycle_called(const ProgramAnalysis& analysis, EffectId effec
 
 std::optional<double> number_passed(const Program& program, const Call& call, const BroughtCycle& cycle,
                                     std::string_view parameter) {
-    const auto place = place_of(cycle.parameters, parameter);
-    if (!place) return std::nullopt;
+    const auto named = std::ranges::find(cycle.parameters, parameter);
+    if (named == cycle.parameters.end()) return std::nullopt;
+    const auto place = static_cast<std::uint32_t>(named - cycle.parameters.begin());
     for (const Argument& given : program.arguments_of(call)) {
         const auto* position = std::get_if<ArgumentPosition>(&given.given);
-        if (position == nullptr || position->number != *place) continue;
+        if (position == nullptr || position->number != place) continue;
         const auto* literal = std::get_if<Literal>(&program.expressions[given.value].node);
         if (literal != nullptr) return literal->value;
     }

@@ -1,11 +1,11 @@
 //! Of which bytes names are made.
 #pragma once
 
+#include "analyzer/dialect/characters.hpp"
+
 namespace maclint::cli::lsp {
 
-[[nodiscard]] constexpr bool is_letter_of_name(char c) {
-    return (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z') || c == '_' || c == '$';
-}
-[[nodiscard]] constexpr bool is_of_name(char c) { return is_letter_of_name(c) || (c >= '0' && c <= '9'); }
+[[nodiscard]] constexpr bool is_letter_of_name(char c) { return is_letter(c) || c == '_' || c == '$'; }
+[[nodiscard]] constexpr bool is_of_name(char c) { return is_letter_of_name(c) || is_digit(c); }
 
 } // namespace maclint::cli::lsp

@@ -30,7 +30,7 @@ ROWS = [
         ('sin-decimal-comma', f'MAC126 {READ}', 'a comma for the decimal point'),
         ('sin-sign-twice', f'MAC716 {READ}', 'X--5'),
         ('sin-letter-o', f'MAC106 {READ}', 'O for a 0'),
-        ('sin-keyword', f'{READ} MAC340 SIN123', 'WHLIE, ENDFI, GOTFO, DFE'),
+        ('sin-keyword', f'{READ} MAC340', 'WHLIE, ENDFI, GOTFO, DFE'),
         ('sin-stray-letter', f'SIN106 {READ}', 'a letter outside of ASCII before the block number'),
     ]),
     ('text', 'warning', [
@@ -141,7 +141,7 @@ SHARES = {'error': 1.0, 'warning': 0.95}
 # What must be found where it is not that share: what was found when the class was made. A class that finds more gets a higher
 # bar, or loses its row.
 BARS = {
-    'sin-two-codes': 402 / 403,
+    'sin-keyword': 300 / 302,
     'sin-case-default': 2 / 4,
     'sin-undefined': 0.94,
     'sin-variable-misspelt': 0.93,
