@@ -69,15 +69,13 @@ std::optional<Remark> remark_in(const Program& program, Span line) {
                   *named};
 }
 
-std::vector<Span> lines_of(const Program& program) {
+std::vector<Span> lines_of(const ProgramAnalysis& analysis) {
     std::vector<Span> lines;
-    Offset begin = program.span.begin;
-    while (begin < program.span.end) {
-        const std::size_t end = program.text.find('\n', begin);
-        const Offset last = end == std::string_view::npos ? program.span.end : static_cast<Offset>(end);
-        lines.push_back({begin, std::min(last, program.span.end)});
-        begin = last + 1;
-    }
+    const Source& source = *analysis.source();
+    const Span program = analysis.program().span;
+    const std::uint32_t last = source.position(program.end).line;
+    for (std::uint32_t line = source.position(program.begin).line; line <= last; ++line)
+        lines.push_back(source.line_span(line));
     return lines;
 }
 
@@ -113,7 +111,7 @@ class Finder {
   public:
     explicit Finder(const ProgramAnalysis& analysis)
         : program_(analysis.program())
-        , lines_(lines_of(program_))
+        , lines_(lines_of(analysis))
         , jumps_(jumps_by_line(analysis, lines_)) {}
 
     [[nodiscard]] std::vector<OtherBlockNamed> run() const {

@@ -35,7 +35,9 @@ bool goes_right_on(const ProgramAnalysis& analysis, const queries::UnreachedRegi
     const Program& program = analysis.program();
     const std::string_view between = program.slice({ender.span.end, region.head.begin});
     const bool has_more = between.find_first_not_of(" \t\r\n;") != std::string_view::npos;
-    if (has_more || std::ranges::count(between, '\n') > 1 || region.head != region.work) return false;
+    const std::uint32_t lines = analysis.source()->position(region.head.begin).line -
+                                analysis.source()->position(ender.span.end).line;
+    if (has_more || lines > 1 || region.head != region.work) return false;
     const auto changes_tool = [](const Effect& effect) {
         return std::holds_alternative<ToolChange>(effect.what);
     };

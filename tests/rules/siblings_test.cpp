@@ -124,6 +124,11 @@ TEST(RemarkOfAJump, NamesAnotherBlock) {
                 ElementsAre("note 5"));
     EXPECT_THAT(messages_raised("MAC341", "O1\nN3 #1=1\nIF[#1EQ1]GOTO3 (GO TO N5)\nN5 M30\n"),
                 ElementsAre(AllOf(HasSubstr("'GOTO3' goes to N3"), HasSubstr("says N5"))));
+    for (const std::string end : {"\r", "\r\n"}) {
+        const std::string program =
+            "O1" + end + "N3 #1=1" + end + "IF[#1EQ1]GOTO3" + end + "(ON, GO TO N5)" + end;
+        EXPECT_THAT(judged("MAC341", program + "N5 M30" + end), ElementsAre("note 3"));
+    }
 }
 
 TEST(RemarkOfAJump, NamesItsBlock) {

@@ -140,6 +140,8 @@ TEST(UnreachableCode, GoesOnBehindAnEndThatWasLeftInTheMiddle) {
     for (const char* part : {"N5", "\n", "(SECOND PART)\n", "T2 M6\n"})
         EXPECT_THAT(judged("MAC460", begin + part + rest), IsEmpty()) << part;
     EXPECT_THAT(judged("MAC460", "O1\nG90 G0 X0\nM99\n" + rest), IsEmpty());
+    EXPECT_THAT(judged("MAC460", "O1\rG90 G0 X0\rM30\rG55 G0 X0\rM30\r"), ElementsAre("note 4"));
+    EXPECT_THAT(judged("MAC460", "O1\rG90 G0 X0\rM30\r\rG55 G0 X0\rM30\r"), IsEmpty());
 }
 
 } // namespace

@@ -104,8 +104,8 @@ class Language {
         if (own == errors.begin() || own == errors.end()) return;
         const SyntaxError& before = *std::prev(own);
         const std::string_view between = text_.substr(before.span.end, begin - before.span.end);
-        if (before.kind == SyntaxErrorKind::split_declaration && std::ranges::count(between, '\n') <= 1)
-            forget_errors_from(begin);
+        const auto line_ends = std::max(std::ranges::count(between, '\n'), std::ranges::count(between, '\r'));
+        if (before.kind == SyntaxErrorKind::split_declaration && line_ends <= 1) forget_errors_from(begin);
     }
 
     [[nodiscard]] Span first_line_of(Span run) const {

@@ -31,6 +31,8 @@ def examples_of(pages):
     texts = {}
     for page in sorted(pages.glob('[MD][AI][CN][0-9]*.md')):
         for number, (language, text) in enumerate(EXAMPLE.findall(page.read_bytes().decode('latin-1'))):
+            if language not in ('fanuc', 'dinplus'):
+                continue
             texts[Path('rules') / page.stem / f"{number}{'.ncs' if language == 'dinplus' else '.nc'}"] = text
     return texts
 
