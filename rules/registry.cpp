@@ -311,6 +311,8 @@
     RULE(bad_identifier)                         /* SIN113 */ \
     RULE(name_is_taken)                          /* SIN114 */ \
     RULE(text_too_long)                          /* SIN115 */ \
+    RULE(block_too_long)                         /* SIN116 */ \
+    RULE(too_many_functions)                     /* SIN120 */ \
     RULE(malformed_case)                         /* SIN123 */ \
     RULE(split_declaration)                      /* SIN124 */ \
     RULE(definition_after_code)                  /* SIN201 */ \
@@ -335,11 +337,13 @@
     RULE(other_program_name)                     /* SIN408 */ \
     RULE(cycle_under_compensation)               /* SIN411 */ \
     RULE(cycle_planes)                           /* SIN412 */ \
+    RULE(stop_under_compensation)                /* SIN501 */ \
     RULE(tool_change_under_compensation)         /* SIN502 */ \
     RULE(frame_replaces)                         /* SIN504 */ \
     RULE(position_as_distance)                   /* SIN505 */ \
     RULE(action_on_local_variable)               /* SIN601 */ \
-    RULE(action_id)                              /* SIN602 */
+    RULE(action_id)                              /* SIN602 */ \
+    RULE(action_left)                            /* SIN603 */
 // clang-format on
 
 namespace maclint {

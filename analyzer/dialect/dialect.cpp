@@ -31,7 +31,7 @@ std::vector<const ControlModel*> collect_controls() {
     std::vector<const ControlModel*> controls;
     for (const ControlModel& control : fanuc::fanuc_controls()) controls.push_back(&control);
     controls.push_back(&dinplus::control());
-    controls.push_back(&sinumerik::control());
+    for (const ControlModel& control : sinumerik::controls()) controls.push_back(&control);
     return controls;
 }
 

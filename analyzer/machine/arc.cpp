@@ -207,8 +207,11 @@ std::optional<Arc> Reader::read() const {
     }
     const Pair plane_way = chosen.in_plane(ways);
     Arc arc = has_centre() ? chosen.by_centre(plane_way, *outside) : chosen.by_radius(plane_way);
-    if (machine_.diameter_by_code && *outside != z_axis && arc.fault != ArcFault::nothing_moves)
-        return std::nullopt;
+    // Lengths that may be diameters tell nothing of the circle; a letter of another plane is wrong all the
+    // same.
+    const bool needs_no_lengths =
+        arc.fault == ArcFault::nothing_moves || (arc.fault == ArcFault::other_plane && !has_end(*outside));
+    if (machine_.diameter_by_code && *outside != z_axis && !needs_no_lengths) return std::nullopt;
     arc.letters =
         std::string(1, machine_.centres[chosen.plane_[0]]) + " and " + machine_.centres[chosen.plane_[1]];
     arc.plane_of_start = step_.after.of(ModalRole::plane).is_callers() && !machine_.x_is_diameter;

@@ -74,6 +74,7 @@ class ProgramBuilder {
     void add_external(ExternalDeclaration declared) { program_.externals.push_back(std::move(declared)); }
     void add_unknown_name(UnknownName name) { program_.unknown_names.push_back(std::move(name)); }
     void give_name(std::string capitals) { program_.given_names.push_back(std::move(capitals)); }
+    void give_switch(std::string capitals) { program_.given_switches.push_back(std::move(capitals)); }
     void add_array_index(const ArrayIndex& index) { program_.array_indices.push_back(index); }
     void set_parameters_unknown() { program_.parameters_unknown = true; }
     void set_definition(Span span) { program_.definition = span; }

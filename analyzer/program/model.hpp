@@ -417,11 +417,12 @@ class Program {
     Channels channels = 0;       ///< all that its text names: it runs in each of them at the same time
     std::vector<Formal> formals; ///< parameters, by position
     std::vector<ExternalDeclaration> externals;
-    std::vector<ArrayIndex> array_indices;  ///< in text order
-    std::vector<UnknownName> unknown_names; ///< in text order
-    std::vector<std::string> given_names;   ///< that it defines for all programs; capitals
-    Span definition;                        ///< of its parameters: `PROC …`; empty: the text has none
-    bool parameters_unknown = false;        ///< its definition cannot be read
+    std::vector<ArrayIndex> array_indices;   ///< in text order
+    std::vector<UnknownName> unknown_names;  ///< in text order
+    std::vector<std::string> given_names;    ///< that it defines for all programs; capitals
+    std::vector<std::string> given_switches; ///< of these, words that only switch something of the machine
+    Span definition;                         ///< of its parameters: `PROC …`; empty: the text has none
+    bool parameters_unknown = false;         ///< its definition cannot be read
     std::unordered_map<Variable, Declaration, VariableHash> declarations;
     std::vector<Variable> handed_down; ///< locals that all programs called from here see, too: #l1(200)
     std::unordered_map<Variable, Variable, VariableHash>

@@ -112,12 +112,17 @@ enum class SyntaxErrorKind : std::uint8_t {
     mark_missing,                ///< of a part to be repeated; subject: the label
     passes_out_of_range,         ///< of a part to be repeated; cure: what they may be
     action_on_local,             ///< subject: a variable that acts at preparation; cure: what acts in time
-    action_number,               ///< subject: the number of an action; cure: what it may be
-    other_program_name,          ///< subject: the name in the text; cure: that of the file
-    ambiguous_jump,              ///< its label stands on both sides; cure: the line of the one that is taken
-    frame_lost,                  ///< subject: a frame that the next one deletes; cure: that one
-    position_as_distance,        ///< subject: a word; cure: the position that was read
-    unreadable,                  ///< nothing more exact is known; cure: what was expected
+    action_again,                ///< subject: the number of an action that runs already; cure: that one
+    action_left,                 ///< subject: the number of an action that a subprogram leaves at work
+    alarm_number,                ///< subject: of an alarm that the program raises; cure: what it may be
+    block_too_long,       ///< subject: what stands behind its last character; cure: how many there may be
+    too_many_functions,   ///< subject: the first one too many of a block; cure: how many there may be
+    action_number,        ///< subject: the number of an action; cure: what it may be
+    other_program_name,   ///< subject: the name in the text; cure: that of the file
+    ambiguous_jump,       ///< its label stands on both sides; cure: the line of the one that is taken
+    frame_lost,           ///< subject: a frame that the next one deletes; cure: that one
+    position_as_distance, ///< subject: a word; cure: the position that was read
+    unreadable,           ///< nothing more exact is known; cure: what was expected
 };
 
 /// What is known of how the control answers a syntax error.

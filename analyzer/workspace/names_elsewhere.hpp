@@ -26,6 +26,7 @@ struct ListedNames {
 /// Of a program's control. Sets are shared; nullptr: there is none.
 struct NamesElsewhere {
     std::shared_ptr<const TextSet> defined;   ///< by files of definitions of the workspace
+    std::shared_ptr<const TextSet> switches;  ///< of these, words that only switch something of the machine
     std::shared_ptr<const ListedNames> named; ///< by somebody who knows the machine
     bool are_all = false; ///< nothing else is defined: what is not among them the control does not know
 

@@ -1,22 +1,14 @@
 //! Names and calls, taken from the model.
 #include "analyzer/workspace/outline.hpp"
 
+#include "analyzer/dialect/ascii.hpp"
 #include "analyzer/flow/graph.hpp"
 #include "analyzer/program/tables.hpp"
 
 #include <algorithm>
-#include <cctype>
 
 namespace maclint {
 namespace {
-
-/// Names are compared without case: controls store capitals, file systems do not.
-std::string in_capitals(std::string_view name) {
-    std::string result(name);
-    std::ranges::transform(result, result.begin(),
-                           [](unsigned char c) { return static_cast<char>(std::toupper(c)); });
-    return result;
-}
 
 CallOutline outline_of(const Program& program, const Call& call) {
     CallOutline outline;
@@ -42,7 +34,9 @@ ProgramOutline outline_of(const Program& program) {
                            .local = program.local,
                            .started_by_hand = program.started == Program::Started::by_hand,
                            .given_names = program.given_names,
+                           .given_switches = program.given_switches,
                            .calls = {}};
+    // Names are compared without case: controls store capitals, file systems do not.
     for (const std::string& name : program.also_known_as) outline.names.push_back(in_capitals(name));
     std::ranges::sort(outline.names);
     outline.names.erase(std::ranges::unique(outline.names).begin(), outline.names.end());

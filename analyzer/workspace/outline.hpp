@@ -34,8 +34,9 @@ struct ProgramOutline {
     std::string folder = {};        ///< on the control, in capitals, where the text says it
     bool local = false;             ///< only programs of its own file can call it
     bool started_by_hand = false;
-    std::vector<std::string> given_names = {}; ///< that it defines for all programs; in capitals
-    std::vector<CallOutline> calls;            ///< in the order of for_each_effect
+    std::vector<std::string> given_names = {};    ///< that it defines for all programs; in capitals
+    std::vector<std::string> given_switches = {}; ///< of these, words that only switch something
+    std::vector<CallOutline> calls;               ///< in the order of for_each_effect
     friend bool operator==(const ProgramOutline&, const ProgramOutline&) = default;
 };
 

@@ -24,8 +24,12 @@ class Definitions {
     [[nodiscard]] NamesElsewhere names_for(const SnapshotFile& file, std::string_view language) const;
 
   private:
-    std::map<std::string_view, std::shared_ptr<TextSet>> names_; ///< by language
-    Folders folders_;                                            ///< with such files
+    struct Given {
+        std::shared_ptr<TextSet> names = std::make_shared<TextSet>();
+        std::shared_ptr<TextSet> switches = std::make_shared<TextSet>();
+    };
+    std::map<std::string_view, Given> given_; ///< by language
+    Folders folders_;                         ///< with such files
 };
 
 } // namespace maclint::cli

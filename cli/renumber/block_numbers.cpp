@@ -156,17 +156,29 @@ class Collector {
         if (!written)
             stop(program, span, std::string(does) + " whose number is calculated",
                  "Write the number itself, or renumber by hand");
-        const auto is_it = [&](const WrittenNumber& block) { return block.number == written->number; };
-        const auto block = std::ranges::find_if(space.blocks, is_it);
-        if (block == space.blocks.end()) {
+        const auto found = blocks_numbered(space, written->number);
+        if (found.empty()) {
             space.without_block.push_back(*written);
             return;
         }
-        if (std::find_if(block + 1, space.blocks.end(), is_it) != space.blocks.end())
+        if (found.size() > 1)
             stop_at(program, span,
                     "names N" + std::to_string(written->number) +
                         ", which stands more than once. Give each block a number of its own first");
-        space.uses.push_back({*written, static_cast<std::size_t>(block - space.blocks.begin())});
+        space.uses.push_back({*written, found.front().second});
+    }
+
+    using Numbered = std::pair<std::int64_t, std::size_t>; ///< and its place in NumberSpace::blocks
+
+    std::span<const Numbered> blocks_numbered(const NumberSpace& space, std::int64_t number) {
+        std::vector<Numbered>& blocks = numbered_[static_cast<std::size_t>(&space - spaces_.data())];
+        if (blocks.empty()) {
+            for (std::size_t i = 0; i < space.blocks.size(); ++i)
+                blocks.emplace_back(space.blocks[i].number, i);
+            std::ranges::sort(blocks);
+        }
+        const auto found = std::ranges::equal_range(blocks, number, {}, &Numbered::first);
+        return {found.begin(), found.end()};
     }
 
     /// What another file names of this one keeps its number, and would lead to another block.
@@ -189,11 +201,7 @@ class Collector {
 
     void refuse_use_elsewhere(const Program& program, Span span, std::size_t space) {
         const auto written = digits_in(program, span);
-        const bool is_named =
-            !written || std::ranges::any_of(spaces_[space].blocks, [&](const WrittenNumber& block) {
-                return block.number == written->number;
-            });
-        if (is_named)
+        if (!written || !blocks_numbered(spaces_[space], written->number).empty())
             stop_at(
                 program, span,
                 "names a block of this file from another one, which is not changed with it. Renumber both by "
@@ -218,7 +226,8 @@ class Collector {
     const ProgramFile& file_;
     FileOutline outline_;
     NumberSpaces spaces_;
-    std::vector<std::size_t> space_of_; ///< by place of the program
+    std::map<std::size_t, std::vector<Numbered>> numbered_; ///< of spaces that are asked, sorted by number
+    std::vector<std::size_t> space_of_;                     ///< by place of the program
 };
 
 } // namespace

@@ -4,6 +4,11 @@
 #include "rules/path.hpp"
 #include "rules/rule.hpp"
 
+#include <algorithm>
+#include <cstddef>
+#include <string_view>
+#include <variant>
+
 namespace maclint::rules {
 
 namespace {
@@ -13,21 +18,30 @@ void check(const ProgramAnalysis& analysis, Reporter& reporter);
 extern const Rule cycle_planes{
     .code = "SIN412",
     .name = "cycle-planes-contradict",
-    .summary = "The depth of a drilling cycle lies on the side to which the tool is drawn back",
+    .summary = "A drilling cycle has no depth, or one on the side to which the tool is drawn back",
     .why =
         "The tool drills away from the plane to which it is drawn back (RTP), from the reference plane (RFP) "
-        "to the depth (DP). Where the depth lies on the side of RTP the cycle stops with an alarm: mostly "
-        "the sign of the depth is lost.",
+        "to the depth (DP, or DPR from there on). Where neither is given, or the depth lies on the side of "
+        "RTP, "
+        "the cycle stops with an alarm: mostly the sign of the depth is lost.",
     .severity = Severity::error,
     .precision = Precision::very_high,
     .needs = {Capability::paired_words},
     .messages = {{"depth",
                   "Depth on the wrong side: '{0}' begins at {1} and goes to {2}, and is drawn back to {3}.",
-                  "Correct the depth, or one of the two planes."}},
+                  "Correct the depth, or one of the two planes."},
+                 {"none", "No depth: '{0}' has neither DP nor DPR.",
+                  "Give the fourth argument, or the fifth."}},
     .bad = {{"sinumerik", R"nc(
 G17 G90 G54
 G0 X10 Y10 Z50
 CYCLE82(50,0,2,20,,0.3)
+M30
+)nc"},
+            {"sinumerik", R"nc(
+G17 G90 G54
+G0 X10 Y10 Z50
+CYCLE81(50,0,2)
 M30
 )nc"}},
     .good = {{"sinumerik", R"nc(
@@ -43,19 +57,39 @@ M30
 
 namespace {
 
+/// Whether it could have a depth and has none: a call with more places is one of a newer form.
+bool lacks_depth(const Program& program, const Call& call, const BroughtCycle& cycle) {
+    const auto place_of = [&](std::string_view parameter) {
+        return static_cast<std::size_t>(std::ranges::find(cycle.parameters, parameter) -
+                                        cycle.parameters.begin());
+    };
+    const std::size_t places = cycle.parameters.size(), depth = place_of("DP"), way = place_of("DPR");
+    const auto arguments = program.arguments_of(call);
+    return depth < places && way < places && !arguments.empty() &&
+           std::ranges::none_of(arguments, [&](const Argument& argument) {
+               const auto* position = std::get_if<ArgumentPosition>(&argument.given);
+               return position == nullptr || position->number >= places || position->number == depth ||
+                      position->number == way;
+           });
+}
+
 void check(const ProgramAnalysis& analysis, Reporter& reporter) {
     const Program& program = analysis.program();
     for (const CallSite& site : analysis.calls()) {
         const BroughtCycle* cycle = queries::cycle_called(analysis, site.effect);
         if (cycle == nullptr) continue;
         const Call& call = queries::call_of(program, site.effect);
+        const Span span = program.effects[site.effect].span;
+        if (lacks_depth(program, call, *cycle)) {
+            reporter.report({analysis, site.effect}, span, "none", {quoted(program, span)});
+            continue;
+        }
         const auto back = queries::number_passed(program, call, *cycle, "RTP");
         const auto from = queries::number_passed(program, call, *cycle, "RFP");
         const auto depth = queries::number_passed(program, call, *cycle, "DP");
         if (!back || !from || !depth) continue;
         const bool is_beside = (*back > *from && *depth > *from) || (*back < *from && *depth < *from);
         if (!is_beside) continue;
-        const Span span = program.effects[site.effect].span;
         reporter.report({analysis, site.effect}, span, "depth",
                         {quoted(program, span), number_word(*from), number_word(*depth), number_word(*back)});
     }

@@ -2,6 +2,7 @@
 #include "analyzer/program/tables.hpp"
 #include "rules/path.hpp"
 #include "rules/rule.hpp"
+#include "rules/syntax_errors.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -16,8 +17,9 @@ void check(const ProgramFile& file, Reporter& reporter);
 extern const Rule alarm_number_out_of_range{
     .code = "MAC601",
     .name = "alarm-number-out-of-range",
-    .summary = "#3000 is set to a number that is no number of an alarm",
-    .why = "The control shows the number with the text. What it does with one out of its range no document "
+    .summary = "An alarm of the program's own has a number that none may have",
+    .why = "The control shows the number of #3000 with the text. What it does with one out of its range no "
+           "document "
            "tells: "
            "it may stop with another alarm, or not show the text. How far the range goes documents "
            "contradict each "
@@ -27,11 +29,19 @@ extern const Rule alarm_number_out_of_range{
     .messages = {{"plain", "Alarm number out of range: '{0}', and no control takes more than {1}.",
                   "Use a number that the control shows."},
                  {"sign", "Alarm number out of range: '{0}' is no whole number from 0 on.",
-                  "Use a number that the control shows."}},
+                  "Use a number that the control shows."},
+                 {"cure", "Alarm number out of range: '{0}' raises no alarm of this program, {1} do.",
+                  "Use a number from 65000 on: those below are of the control's cycles."}},
     .bad = {{"fanuc", R"nc(
 O9601(CHECK)
 IF[#24EQ#0]THEN #3000=10001(X MISSING)
 M99
+)nc"},
+            {"sinumerik", R"nc(
+IF R1>5
+SETAL(5201,"R1 is too large")
+ENDIF
+M30
 )nc"}},
     .good = {{"fanuc", R"nc(
 O9601(CHECK)
@@ -53,6 +63,7 @@ double greatest_alarm(const ControlModel& control) {
 }
 
 void check(const ProgramFile& file, Reporter& reporter) {
+    report_syntax_error(file, SyntaxErrorKind::alarm_number, reporter);
     const double most = greatest_alarm(*file.control);
     if (most == 0) return;
     for (const Program& program : file.programs)

@@ -15,7 +15,7 @@ void check(const ProgramFile& file, Reporter& reporter);
 extern const Rule write_to_read_only_variable{
     .code = "MAC203",
     .name = "write-to-read-only-variable",
-    .aliases = "DIN304",
+    .aliases = "DIN304 SIN205",
     .summary = "A value is stored in a variable that can only be read",
     .why = "The control owns the variable and tells its state by it: what is stored there is lost, or "
            "the control stops.",

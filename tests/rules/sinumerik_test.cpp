@@ -274,6 +274,7 @@ TEST(SinumerikCycles, DrillAwayFromWhereTheyDrawBack) {
     EXPECT_THAT(cycle("50,0,2,0"), IsEmpty());
     EXPECT_THAT(cycle("0,0,2,20"), IsEmpty());
     EXPECT_THAT(cycle("50,0,2,R1"), IsEmpty());
+    EXPECT_THAT(cycle("50,0,1,8,,0.6,10,1,12"), IsEmpty()); // a newer form, where 8 is a diameter
     EXPECT_THAT(findings("SIN412", "%_N_A_MPF\nCYCLE82(50,0,2,20)\nM30\n%_N_CYCLE82_SPF\n"
                                    "PROC CYCLE82(REAL A,REAL B,REAL C,REAL D)\nM17\n"),
                 IsEmpty()); // the shop's own
@@ -285,6 +286,95 @@ TEST(SinumerikArcs, AreJudgedInPlanesWithoutDiameters) {
     EXPECT_THAT(findings("MAC522", "G17 G90 G0 X0 Y20\nG2 X20 Y40 I48 J0\nM30\n"), SizeIs(1));
     EXPECT_THAT(findings("MAC522", "G18 G90 G0 X0 Z20\nG2 X20 Z40 CR=11.3\nM30\n"), IsEmpty());
     EXPECT_THAT(findings("MAC522", "TRANSMIT(1)\nG17 G90 G0 X0 Y20\nG2 X20 Y40 CR=11.3\nM30\n"), IsEmpty());
+    // J is no letter of G18, whatever X is.
+    EXPECT_THAT(findings("MAC522", "G18 G90 G0 X0 Z0\nG2 X10 Z-10 I0 J-10\nM30\n"), SizeIs(1));
+    EXPECT_THAT(findings("MAC522", "G18 G90 G0 X0 Y0 Z0\nG2 X10 Z-10 I0 K-10 J5 Y5\nM30\n"), IsEmpty());
+}
+
+TEST(SinumerikFunctions, AreFiveOfMAndThreeOfTheOthers) {
+    const auto block = [](const std::string& words) { return findings("SIN120", words + "\nM30\n"); };
+    EXPECT_THAT(block("G1 X5 M3 M8 M41 M21 M25"), IsEmpty());
+    EXPECT_THAT(block("G1 X5 M3 M8 M41 M21 M1=3 M2=4 M3=5"), SizeIs(1)); // one finding for the block
+    EXPECT_THAT(block("S500 S2=300 S3=100"), IsEmpty());
+    EXPECT_THAT(block("S500 S2=300 S3=100 S4=100"), SizeIs(1));
+    EXPECT_THAT(block("M3 M8 M41 M21 M25 MEAC[X]=1 H1=1 H2=2 H3=3 SF=30"), IsEmpty());
+    EXPECT_THAT(block("H1=1 H2=2 H3=3 H4"), SizeIs(1));
+}
+
+TEST(SinumerikBlocks, HaveFewEnoughCharactersOfCode) {
+    std::string sum = "R1=R2";
+    while (sum.size() < 508) sum += "+R3"; // 509 characters
+    EXPECT_THAT(findings("SIN116", sum + "   ; " + sum + "\nM30\n"), IsEmpty());
+    EXPECT_THAT(findings("SIN116", sum + "+R4\nM30\n"), IsEmpty()); // 512
+    EXPECT_THAT(findings("SIN116", sum + "+R44\nM30\n"), SizeIs(1));
+}
+
+TEST(SinumerikAlarms, HaveNumbersThatSetalTakes) {
+    const auto raised = [](const std::string& number) {
+        return findings("MAC601", "SETAL(" + number + ",\"X\")\nM30\n");
+    };
+    EXPECT_THAT(raised("65000"), IsEmpty());
+    EXPECT_THAT(raised("69999"), IsEmpty());
+    EXPECT_THAT(raised("60000"), IsEmpty()); // a cycle of the control's maker
+    EXPECT_THAT(raised("R1"), IsEmpty());
+    EXPECT_THAT(raised("70000"), SizeIs(1));
+    EXPECT_THAT(raised("59999"), SizeIs(1));
+}
+
+TEST(SinumerikSystemVariables, AreReadWhereTheControlSaysWhatTheyHold) {
+    EXPECT_THAT(findings("MAC203", "$A_IN[3]=1\nM30\n"), SizeIs(1));
+    EXPECT_THAT(findings("MAC203", "$P_GG[6]=1\nM30\n"), SizeIs(1));
+    EXPECT_THAT(findings("MAC203", "$A_OUT[3]=1\n$AC_MARKER[1]=2\n$P_UIFR[1,X,TR]=5\nR1=$A_IN[3]\nM30\n"),
+                IsEmpty());
+}
+
+TEST(SinumerikSystemVariables, AreRParametersInActions) {
+    EXPECT_THAT(findings("SIN204", "ID=1 EVERY $R10>5 DO $RG1=$R[3]\nM30\n"), IsEmpty());
+    EXPECT_THAT(findings("SIN204", "ID=1 EVERY $RX>5 DO M8\nM30\n"), SizeIs(1));
+}
+
+TEST(SinumerikActions, AreReplacedByTheNextOfTheirNumber) {
+    const std::string first = "ID=1 WHENEVER $A_IN[1]==1 DO M8\n",
+                      second = "ID=1 EVERY $A_IN[2]==1 DO M9\nM30\n";
+    const auto again = [&](const std::string& between) {
+        return findings("SIN602", "DEF REAL WAY\n" + first + between + second);
+    };
+    EXPECT_THAT(again(""), SizeIs(1));
+    EXPECT_THAT(again("G1 X50 F100\nWAY=5\n"), SizeIs(1));
+    for (const char* between :
+         {"CANCEL(1)\n", "CHIPS\n", "NEXT:\n", "IF R1==1\n", "GOTOF NEXT\nNEXT: G0 X1\n"})
+        EXPECT_THAT(again(between), IsEmpty()) << between;
+}
+
+TEST(SinumerikActions, AreEndedBeforeASubprogramReturns) {
+    const auto left = [](const std::string& first, const std::string& then) {
+        return findings("SIN603",
+                        "PROC AIR_BLAST\n" + first + " WHENEVER $A_IN[1]==1 DO M8\n" + then + "M17\n");
+    };
+    EXPECT_THAT(left("ID=4", "G1 X5 F100\n"), SizeIs(1));
+    EXPECT_THAT(left("ID=4", "G1 X5 F100\nCANCEL(4)\n"), IsEmpty());
+    EXPECT_THAT(left("IDS=4", "G1 X5 F100\n"), IsEmpty());           // meant to run on
+    EXPECT_THAT(left("ID=4", ""), IsEmpty());                        // a program that switches it on
+    EXPECT_THAT(left("ID=4", "G1 X5 F100\nBLAST_OFF\n"), IsEmpty()); // may end it
+    EXPECT_THAT(findings("SIN603", "ID=4 WHENEVER $A_IN[1]==1 DO M8\nG1 X5 F100\nM30\n"), IsEmpty());
+}
+
+TEST(SinumerikFrames, MayBeWrittenForTheCallersThatEndThem) {
+    const std::string swivel = "%_N_SWIVEL_SPF\nPROC SWIVEL(REAL B_)\nTRANS X10\nAROT X=B_\nM17\n";
+    const auto left = [&](const std::string& end) {
+        return findings("MAC502", "%_N_A_MPF\nG54 G17\nSWIVEL(30)\nG0 X0 Y0\nCYCLE81(10,0,2,-5)\n" + end +
+                                      "M30\n" + swivel + "%_N_SWIVEL_OFF_SPF\nPROC SWIVEL_OFF\nROT\nM17\n");
+    };
+    EXPECT_THAT(left("SWIVEL_OFF\n"), IsEmpty());
+    EXPECT_THAT(left("TRANS\n"), IsEmpty());
+    EXPECT_THAT(left(""), SizeIs(2)); // shift and rotation
+}
+
+TEST(SinumerikTransformations, AreCalledWhatTheyAre) {
+    const auto found = findings("MAC502", "G54 G17\nTRAORI\nG1 X5 F1000\nM30\n");
+    ASSERT_THAT(found, SizeIs(1));
+    EXPECT_THAT(found.front().message(), HasSubstr("TRAORI is still active"));
+    EXPECT_THAT(findings("MAC502", "G54 G17\nTRACYL(40)\nG1 X5 F1000\nTRAFOOF\nM30\n"), IsEmpty());
 }
 
 /// What a line becomes by the first fix of the rule.
@@ -296,6 +386,66 @@ std::string mended(std::string_view code, const std::string& line) {
     for (auto edit = edits.rbegin(); edit != edits.rend(); ++edit)
         text.replace(edit->span.begin, edit->span.length(), edit->text);
     return text;
+}
+
+TEST(SinumerikWords, LackTheirEqualsBeforeAVariable) {
+    EXPECT_THAT(findings("SIN105", "G0 XR1 Y5\nG1 X10 FR2\nM30\n"), SizeIs(2));
+    EXPECT_EQ(mended("SIN105", "G0 XR1"), "G0 X=R1");
+    EXPECT_THAT(findings("SIN105", "XR1\nG1 X=R1 F=R2\nM30\n"), IsEmpty()); // a program may have the name
+}
+
+TEST(SinumerikTexts, FitIntoTheirVariables) {
+    EXPECT_THAT(findings("SIN115", "DEF STRING[5] TXT_=\"ABCDEF\"\nTXT_=\"ABCDEFG\"\nM30\n"), SizeIs(2));
+    EXPECT_THAT(findings("SIN115", "DEF STRING[5] TXT_=\"ABCDE\"\nTXT_=\"\"\nM30\n"), IsEmpty());
+}
+
+TEST(SinumerikCycles, HaveADepth) {
+    EXPECT_THAT(findings("SIN412", "CYCLE81(50,0,2)\nCYCLE82(50,0,2,,,0.5)\nM30\n"), SizeIs(2));
+    EXPECT_THAT(findings("SIN412",
+                         "CYCLE81(50,0,2,R1)\nCYCLE82(50,0,2,,8,0.5)\nCYCLE81(50,0,2,,,0.6,10,1,12)\nM30\n"),
+                IsEmpty());
+}
+
+TEST(SinumerikWords, OfProgramsAreNoSlips) {
+    for (const char* name : {"LOOPS", "LOOK", "REPEATS"})
+        EXPECT_THAT(findings("MAC118", std::string("G0 X0\n") + name + "\nM30\n"), IsEmpty()) << name;
+    EXPECT_THAT(findings("MAC118", "LOPO\nG0 X0\nENDLOOP\nM30\n"), SizeIs(1));
+}
+
+TEST(SinumerikNames, OfOtherAxesAndProgramsAreNoSlips) {
+    EXPECT_THAT(findings("SIN203", "DEF REAL X_POS\nX_POS=5\nG0 X=X_POS Y=Y_POS\nM30\n"), IsEmpty());
+    EXPECT_THAT(findings("SIN203", "DEF REAL X_POS\nX_POS=5\nG0 X=X_PSO\nM30\n"), SizeIs(1));
+    EXPECT_THAT(findings("SIN203", "DEF REAL COUNT_A\nCOUNT_A=5\nG0 X=COUNT_B\nM30\n"), IsEmpty());
+    EXPECT_THAT(findings("SIN203", "DEF REAL COUNT_A\nCOUNT_A=5\nG0 X=COUMT_A\nM30\n"), SizeIs(1));
+    for (const char* name : {"LIFT", "ROTA"})
+        EXPECT_THAT(findings("SIN203", std::string("G0 X0\n") + name + "\nM30\n"), IsEmpty()) << name;
+    for (const char* name : {"STOPPRE", "TRNAS X40", "TRAFOF", "CANCLE(1)"})
+        EXPECT_THAT(findings("SIN203", std::string("G0 X0\n") + name + "\nM30\n"), SizeIs(1)) << name;
+}
+
+TEST(SinumerikAxes, MoveByPosEachOnce) {
+    EXPECT_THAT(findings("MAC559", "POS[X]=10 POS[Y]=20 FA[X]=100\nM30\n"), IsEmpty());
+}
+
+TEST(SinumerikMoves, CutUnderAFeed) {
+    const auto cut = [](const std::string& blocks) {
+        return findings("MAC553", "G17 G90 G54\nT1 D1\nM6\nS500 M3\nG0 X0 Y0 Z2\n" + blocks + "M30\n");
+    };
+    EXPECT_THAT(cut("G1 Z-5\n"), SizeIs(1));
+    EXPECT_THAT(cut("G1 Z-5 F100\n"), IsEmpty());
+    EXPECT_THAT(cut("F=R1\nG1 Z-5\n"), IsEmpty());
+    EXPECT_THAT(cut("FEEDS\nG1 Z-5\n"), IsEmpty()); // the program may give one
+    EXPECT_THAT(cut("G1 Z-5 FZ=0.1\n"), IsEmpty()); // the feed of a tooth
+    EXPECT_THAT(cut("G4 F1\nG1 Z-5\n"), SizeIs(1)); // a time
+}
+
+TEST(SinumerikLoops, AreNotEndedByACycle) {
+    const auto loop = [](const std::string& body) {
+        return findings("MAC319", "DEF INT NR=1\nWHILE NR<5\n" + body + "ENDWHILE\nM30\n");
+    };
+    EXPECT_THAT(loop("G0 X=NR*10\nCYCLE82(50,0,2,-4.5,,0.5)\n"), SizeIs(1));
+    EXPECT_THAT(loop("G0 X=NR*10\nCYCLE82(50,0,2,-4.5,,0.5)\nNR=NR+1\n"), IsEmpty());
+    EXPECT_THAT(loop("G0 X=NR*10\nDRILL_ONE\n"), IsEmpty()); // it may end the program
 }
 
 TEST(SinumerikFixes, WriteWhatWasMeant) {

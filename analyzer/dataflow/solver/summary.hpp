@@ -80,6 +80,7 @@ struct Callee {
     const Summary& summary;                      ///< Summary{} of a program that is not known
     std::span<const PassedReference> references; ///< of a program that is known
     const Analysis* analysis = nullptr;          ///< of a program that is known
+    bool is_switch = false; ///< no program: a word that only switches something of the machine
 };
 using Callees = std::function<Callee(EffectId call)>;
 

@@ -398,7 +398,11 @@ void Transfer::run_unknown_program(State& state, bool shared_frame) {
 void Transfer::run_program(State& state, EffectId id, const Call& call) {
     const Callee callee = callees_(id);
     const Summary& summary = callee.summary;
-    if (records<CallMade>())
+    // What the control or its machine brings and no program replaces comes back, and changes nothing of the
+    // program's.
+    const bool is_brought =
+        !summary.known && (callee.is_switch || program_.control->calls[call.kind].brought_by_control);
+    if (records<CallMade>() && !is_brought)
         facts_->add(CallMade{node_, id, summary.known, !summary.known || summary.may_stop});
     if (records<CallBegun>() && (summary.alarm_end.always || !summary.decides_end.empty()))
         record_begin(state, id, call, summary.decides_end);
@@ -408,7 +412,7 @@ void Transfer::run_program(State& state, EffectId id, const Call& call) {
         return;
     }
     if (!summary.known) {
-        if (program_.control->calls[call.kind].brought_by_control) return;
+        if (is_brought) return;
         clobber_passed(state, call);
         return run_unknown_program(state, shared_frame);
     }

@@ -46,16 +46,33 @@ std::pair<std::string, const Ending*> parts_of(std::string_view written) {
     return {std::move(name), ending};
 }
 
+/// Whether the character is a word of its own in the name: `B` of `B_ALT`, of `COUNT_B`.
+bool stands_alone(std::string_view name, std::size_t at) {
+    return (at == 0 || name[at - 1] == '_') && (at + 1 == name.size() || name[at + 1] == '_');
+}
+
+/// Whether the names have different letters at the place, which tell two variables of a row apart: X_POS and
+/// Y_POS, DIST_X1 and DIST_Y1, COUNT_A and COUNT_B.
+bool are_told_apart(std::string_view written, std::string_view known, std::size_t at) {
+    constexpr std::string_view axes = "XYZABCUVWIJK";
+    if (written.size() != known.size() || at == written.size() ||
+        written.substr(at + 1) != known.substr(at + 1))
+        return false;
+    const auto is_axis = [&](char letter) { return axes.find(letter) != std::string_view::npos; };
+    return stands_alone(written, at) || (is_axis(written[at]) && is_axis(known[at]));
+}
+
 /// Names that differ in a figure alone are two variables of a row.
 bool is_one_letter_off(std::string_view written, std::string_view known) {
-    constexpr std::size_t shortest = 5;
-    if (written.size() < shortest || known.size() < shortest || edit_distance(written, known, 1) != 1)
+    constexpr std::size_t shortest = 5; // of the variable: a letter of it may be lost
+    if (written.size() + 1 < shortest || known.size() < shortest || edit_distance(written, known, 1) != 1)
         return false;
     const auto figures = [](std::string_view name) { return std::ranges::count_if(name, is_digit); };
     const auto differ = std::ranges::mismatch(written, known);
     const auto is_figure = [](auto at, auto end) { return at != end && is_digit(*at); };
     return figures(written) == figures(known) && !is_figure(differ.in1, written.end()) &&
-           !is_figure(differ.in2, known.end());
+           !is_figure(differ.in2, known.end()) &&
+           !are_told_apart(written, known, static_cast<std::size_t>(differ.in1 - written.begin()));
 }
 
 } // namespace
@@ -106,6 +123,7 @@ void Programs::check_labels(const OpenProgram& program) {
     for (const NamedPlace& label : program.labels) // a name stands for one thing alone [NCP19 p.45]
         if (program.variables.contains(label.name) || program.arrays.contains(label.name))
             error(SyntaxErrorKind::taken_name, label, "a variable");
+    for (const Span action : program.left_at_return) error(SyntaxErrorKind::action_left, {{}, action}, "");
     for (const NamedPlace& part : program.repeated)
         if (std::ranges::find(program.labels, part.name, &NamedPlace::name) == program.labels.end())
             error(SyntaxErrorKind::mark_missing, part, "");

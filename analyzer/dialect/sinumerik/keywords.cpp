@@ -37,7 +37,10 @@ bool is_typing_slip(std::string_view written, std::string_view meant) {
         return rest.size() >= 2 && rest[0] == rest_meant[1] && rest[1] == rest_meant[0] &&
                rest.substr(2) == rest_meant.substr(2);
     if (meant.size() == shortest) return false; // too many names are as near
-    if (written.size() + 1 == meant.size()) return rest == rest_meant.substr(1);
+    // LIFT and ROTA are names of their own, no TLIFT and PROTA.
+    constexpr std::size_t shortest_with_a_loss = 6;
+    if (written.size() + 1 == meant.size())
+        return at > 0 && meant.size() >= shortest_with_a_loss && rest == rest_meant.substr(1);
     return written.size() == meant.size() + 1 && at > 0 && rest[0] == written[at - 1] &&
            rest.substr(1) == rest_meant;
 }
@@ -74,8 +77,11 @@ bool is_foreign_loop_word(std::string_view capitals) {
     return numbered && (capitals == "DO" || capitals == "END");
 }
 std::string_view bare_opener_meant_by(std::string_view capitals) {
+    // A program may have any name, LOOK and LOOPS: what is typed in haste is another thing.
     static constexpr std::string_view bare[] = {"ELSE", "LOOP", "REPEAT"};
-    return one_slip_from(bare, capitals);
+    const auto* word =
+        std::ranges::find_if(bare, [&](std::string_view known) { return is_typing_slip(capitals, known); });
+    return word == std::end(bare) ? std::string_view{} : *word;
 }
 std::string_view jump_meant_by(std::string_view capitals) { return one_slip_from(jumps, capitals); }
 

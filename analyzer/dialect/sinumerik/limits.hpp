@@ -18,7 +18,8 @@ constexpr int structure_levels = 16;                     ///< IF, FOR, LOOP, WHI
 constexpr std::size_t parameters = 127;                  ///< of a program [T]
 constexpr std::size_t block_length = 512;                ///< characters [T]
 constexpr int least_passes = 1, most_passes = 9999;      ///< P of a call and of REPEAT [T]
-constexpr int first_alarm = 65'000, last_alarm = 69'999; ///< of SETAL in programs of a shop [T]
+constexpr int first_alarm = 60'000, last_alarm = 69'999; ///< of SETAL; up to 64999 those of cycles [T]
+constexpr std::size_t block_functions_m = 5, block_functions_sh = 3; ///< M words; S words, H words [T]
 constexpr double equal_within = 1e-12; ///< relative: comparisons of REAL [NCP19 p.444, MD10280]
 
 } // namespace maclint::sinumerik::limits

@@ -31,7 +31,9 @@ void BlockLowering::lower(const syntax::Tree& tree, Span block, OpenProgram& pro
         const std::span<const Node* const> items = take_head(lowered, items_);
         if (lower_misspelt_declaration(items)) return end_block(lowered);
         check_alone(items, lowered);
-        check_action_number(items);
+        check_length(items);
+        check_functions(items);
+        watch_actions(items, lowered);
         note_first_code(items);
         if (lowered.name) open_->frame.reset();
         watch_frames(items);
@@ -135,12 +137,7 @@ void BlockLowering::lower_statement(const Node& node) {
     };
     switch (kind_of(node)) {
     case Kind::definition: lower_definition(node); break;
-    case Kind::macro_definition:
-        if (const Node* name = child(node, Field::name)) {
-            open_->macros.insert(upper_text(*name));
-            give_name(upper_text(*name));
-        }
-        break;
+    case Kind::macro_definition: lower_macro_definition(node); break;
     case Kind::program_definition: lower_program_definition(node); break;
     case Kind::if_statement: lower_if(node); break;
     case Kind::else_statement: mark(node, RegionKind::choice, Part::middle, {}); break;

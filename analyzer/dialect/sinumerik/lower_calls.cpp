@@ -1,5 +1,7 @@
 //! Lowering of definitions, of names that stand for programs, and of calls.
 #include "analyzer/dialect/ascii.hpp"
+#include "analyzer/dialect/characters.hpp"
+#include "analyzer/dialect/numbers.hpp"
 #include "analyzer/dialect/sinumerik/cycles.hpp"
 #include "analyzer/dialect/sinumerik/keywords.hpp"
 #include "analyzer/dialect/sinumerik/lowering.hpp"
@@ -17,6 +19,27 @@ VariableType kind_of_type(std::string_view name) {
     if (name == "REAL") return VariableType::number;
     if (name == "INT" || name == "CHAR") return VariableType::integer;
     return name == "BOOL" ? VariableType::truth : VariableType::text; // STRING, AXIS, FRAME: no numbers
+}
+
+/// Whether a macro holds M and H functions alone, and none that ends, stops, changes the tool or turns the
+/// spindle: `M9 M28`.
+bool only_switches(std::string_view capitals) {
+    constexpr std::string_view blanks = " \t";
+    constexpr double of_program[] = {0, 1, 2, 3, 4, 5, 6, 17, 19, 30, 70};
+    bool any = false;
+    while (!capitals.empty()) {
+        const std::size_t end = std::min(capitals.find_first_of(blanks), capitals.size());
+        const std::string_view word = capitals.substr(0, end);
+        capitals.remove_prefix(std::min(end + 1, capitals.size()));
+        if (word.empty()) continue;
+        const bool has_digits = word.size() > 1 && std::all_of(word.begin() + 1, word.end(), is_digit);
+        if (!has_digits || (word[0] != 'M' && word[0] != 'H')) return false;
+        if (word[0] == 'M' &&
+            std::ranges::find(of_program, read_number(word.substr(1)).value) != std::end(of_program))
+            return false;
+        any = true;
+    }
+    return any;
 }
 
 /// A cycle that moves leaves modes and variables as they are; one that sets something may do anything.
@@ -67,6 +90,7 @@ void BlockLowering::save_modes(Span here) {
 void BlockLowering::go_back(std::optional<ExpressionId> label, Span here) {
     for (const auto& [group, kept] : open_->saved) effect({SetModal{group, add({Load{kept}, here})}, here});
     effect({Return{std::nullopt, label}, here});
+    note_actions_left();
 }
 
 /// A parameter that is left out arrives as 0, unless it has a default [NCP19 p.494].
@@ -115,6 +139,18 @@ void BlockLowering::lower_external(const Node& node) {
     builder_->add_external(std::move(declared));
 }
 
+void BlockLowering::lower_macro_definition(const Node& node) {
+    const Node* name = child(node, Field::name);
+    if (name == nullptr) return;
+    const std::string capitals = upper_text(*name);
+    open_->macros.insert(capitals);
+    give_name(capitals);
+    const Node* body = child(node, Field::body);
+    if (body == nullptr || !only_switches(in_capitals(text(*body)))) return;
+    open_->switches.insert(capitals);
+    if (open_->is_for_all) builder_->give_switch(capitals);
+}
+
 void BlockLowering::give_name(std::string capitals) {
     if (open_->is_for_all) builder_->give_name(std::move(capitals));
 }
@@ -154,7 +190,11 @@ void BlockLowering::lower_declarator(const Node& node, const Node& type) {
         if (initial) evaluate(*initial, span(node));
         return;
     }
-    if (value != nullptr) check_stored(written, *value);
+    note_length_of_text(capitals, type);
+    if (value != nullptr) {
+        check_stored(written, *value);
+        check_length_of_text(capitals, *value);
+    }
     const Variable variable{spaces::local, builder_->number_of_name(spaces::local, capitals)};
     Declaration declaration{kind_of_type(written), std::nullopt, span(*name), written};
     if (initial) declaration.initial = literal_value(*initial);
@@ -172,6 +212,7 @@ void BlockLowering::lower_named(const Node& name, const Node* arguments, const N
     const std::string capitals = upper_text(name);
     const Span here = span(whole);
     if (kind_of(name) == Kind::malformed_name) return; // told as it is met
+    if (open_->switches.contains(capitals)) return;
     if (open_->macros.contains(capitals)) return call_anything(here);
     if (arguments == nullptr && setting_of(capitals)) return lower_code(capitals, here);
     if (variable_named(capitals) != nullptr) return;
@@ -182,7 +223,10 @@ void BlockLowering::lower_named(const Node& name, const Node* arguments, const N
             report(SyntaxErrorKind::foreign_keyword, here, "WHILE, FOR or LOOP with the word that ends it");
             return builder_->add_unreadable({{}, {}, true, false}, here);
         }
-        if (arguments == nullptr && (report_letter_o(capitals, here) || report_slip(capitals, here))) return;
+        if (arguments == nullptr &&
+            (report_letter_o(capitals, here) || report_variable_behind_address(capitals, here) ||
+             report_slip(capitals, here)))
+            return;
         note_misspelt_word(capitals, here);
         return call_program(span(name), arguments, calls::by_name, here);
     }
@@ -201,8 +245,9 @@ void BlockLowering::lower_procedure(std::string_view name, const Node* arguments
         if (arguments != nullptr) label = nobody_knows(whole);
         return go_back(label, whole);
     }
-    constexpr std::string_view of_texts[] = {"MSG", "SETAL"};
-    const bool takes_axes = std::ranges::find(of_texts, name) == std::end(of_texts);
+    if (name == "SETAL" && arguments != nullptr) check_alarm_number(*arguments);
+    constexpr std::string_view of_values[] = {"CANCEL", "MSG", "SETAL", "TRACYL", "TRANSMIT"};
+    const bool takes_axes = std::ranges::find(of_values, name) == std::end(of_values);
     std::vector<ExpressionId> values;
     if (arguments != nullptr)
         for_each_child(*arguments, [&](const Node& value) { // RELEASE(LOADER)

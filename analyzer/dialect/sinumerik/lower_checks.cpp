@@ -1,6 +1,7 @@
 //! What is wrong in a block that the parser could read.
 #include "analyzer/dialect/ascii.hpp"
 #include "analyzer/dialect/characters.hpp"
+#include "analyzer/dialect/numbers.hpp"
 #include "analyzer/dialect/sinumerik/diagnose.hpp"
 #include "analyzer/dialect/sinumerik/keywords.hpp"
 #include "analyzer/dialect/sinumerik/lexer.hpp"
@@ -281,6 +282,53 @@ void BlockLowering::check_alone(std::span<const Node* const> items, const Block&
         return report(SyntaxErrorKind::not_alone, keyword_of(**branch), "");
     }
     if (structure != items.end()) report(SyntaxErrorKind::not_alone, span(**structure), "");
+}
+
+/// What counts are the characters of the code: whether remarks count no document tells.
+void BlockLowering::check_length(std::span<const Node* const> items) {
+    const auto last = std::find_if_not(items.rbegin(), items.rend(), [](const Node* item) {
+        return kind_of(*item) == Kind::remark || kind_of(*item) == Kind::foreign_comment;
+    });
+    if (last == items.rend() || span(**last).end - block_.begin <= limits::block_length) return;
+    const Span behind{block_.begin + static_cast<Offset>(limits::block_length), span(**last).end};
+    report(SyntaxErrorKind::block_too_long, behind, std::to_string(limits::block_length));
+}
+
+void BlockLowering::check_functions(std::span<const Node* const> items) {
+    struct Counted {
+        char letter;
+        std::size_t most, found = 0;
+    };
+    Counted functions[] = {{'M', limits::block_functions_m},
+                           {'S', limits::block_functions_sh},
+                           {'H', limits::block_functions_sh}};
+    const auto letter_of = [this](const Node& item) {
+        if (kind_of(item) == Kind::literal_word) return to_capital(text(item).front());
+        const Node* left = kind_of(item) == Kind::assignment ? child(item, Field::left) : nullptr;
+        const bool is_address =
+            left != nullptr && (kind_of(*left) == Kind::address || kind_of(*left) == Kind::numbered_address);
+        const std::string name = is_address ? upper_text(*left) : "";
+        // SF=30, HR=5: other words than M1=3, S2=500
+        return !name.empty() && (name.size() == 1 || is_digit(name[1])) ? name.front() : '\0';
+    };
+    for (const Node* item : items)
+        for (Counted& function : functions)
+            if (letter_of(*item) == function.letter && ++function.found == function.most + 1)
+                report(SyntaxErrorKind::too_many_functions, span(*item),
+                       std::to_string(function.most) + " " + function.letter);
+}
+
+/// SETAL(65000, "X")
+void BlockLowering::check_alarm_number(const Node& arguments) {
+    const Node* number = nullptr;
+    for_each_child(arguments, [&](const Node& argument) {
+        if (number == nullptr) number = &argument;
+    });
+    if (number == nullptr || kind_of(*number) != Kind::number) return;
+    const double value = read_number(text(*number)).value;
+    if (value < limits::first_alarm || value > limits::last_alarm)
+        report(SyntaxErrorKind::alarm_number, span(*number),
+               std::to_string(limits::first_alarm) + " to " + std::to_string(limits::last_alarm));
 }
 
 } // namespace maclint::sinumerik

@@ -117,6 +117,10 @@ ExpressionId BlockLowering::jump_target(const Node& node) {
     const Node* target = child(node, Field::target);
     if (target == nullptr) return unreadable(span(node));
     const Span here = span(*target);
+    if (upper_text(*target) == "DEFAULT") { // a word of CASE, and so no label
+        report(SyntaxErrorKind::malformed_case, here, "the jump behind DEFAULT, as in DEFAULT GOTOF");
+        return nobody_knows(here);
+    }
     switch (kind_of(*target)) {
     case Kind::block_number:
     case Kind::main_block_number:

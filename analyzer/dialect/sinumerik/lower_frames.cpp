@@ -1,13 +1,17 @@
 //! Lowering of frames and of synchronised actions.
 #include "analyzer/dialect/ascii.hpp"
 #include "analyzer/dialect/numbers.hpp"
+#include "analyzer/dialect/sinumerik/cycles.hpp"
 #include "analyzer/dialect/sinumerik/lowering.hpp"
 #include "analyzer/dialect/sinumerik/tables.hpp"
+#include "analyzer/dialect/sinumerik/words.hpp"
+#include "analyzer/program/block_view.hpp"
 
 #include <algorithm>
 #include <array>
 #include <iterator>
 #include <utility>
+#include <variant>
 
 namespace maclint::sinumerik {
 namespace {
@@ -149,19 +153,77 @@ void BlockLowering::check_action_target(const Node& target) {
     if (variable != nullptr) report(SyntaxErrorKind::action_on_local, span(target), "$AC_PARAM[1]");
 }
 
-/// `ID=1` in front of an action.
-void BlockLowering::check_action_number(std::span<const Node* const> items) {
+std::optional<BlockLowering::ActionNumber>
+BlockLowering::action_number(std::span<const Node* const> items) const {
     const bool acts = std::ranges::any_of(
         items, [](const Node* item) { return kind_of(*item) == Kind::synchronised_action; });
-    if (!acts || kind_of(*items.front()) != Kind::assignment) return;
+    if (!acts || kind_of(*items.front()) != Kind::assignment) return std::nullopt;
     const Node* name = child(*items.front(), Field::left);
     const Node* value = child(*items.front(), Field::right);
-    if (name == nullptr || value == nullptr || kind_of(*value) != Kind::number) return;
+    if (name == nullptr || value == nullptr || kind_of(*value) != Kind::number) return std::nullopt;
     const std::string word = upper_text(*name);
-    const Number number = read_number(text(*value));
-    const bool is_id = word == "ID" || word == "IDS";
-    if (is_id && (number.value < least_id || number.value > last_id))
-        report(SyntaxErrorKind::action_number, span(*items.front()), "1 to 255");
+    if (word != "ID" && word != "IDS") return std::nullopt;
+    return ActionNumber{items.front(), read_number(text(*value)).value, word == "ID"};
+}
+
+void BlockLowering::check_action_number(const ActionNumber& action) {
+    if (action.number < least_id || action.number > last_id)
+        report(SyntaxErrorKind::action_number, span(*action.word), "1 to 255");
+}
+
+/// CANCEL, and every program that may hold one.
+bool BlockLowering::may_cancel(const Node& item) const {
+    const Kind kind = kind_of(item);
+    if (kind != Kind::command && kind != Kind::call)
+        return kind == Kind::indirect_call || kind == Kind::path_call || kind == Kind::iso_call ||
+               kind == Kind::program_number || kind == Kind::repetition;
+    const Node* name = child(item, Field::name);
+    if (name == nullptr) return true;
+    const std::string capitals = upper_text(*name);
+    return capitals == "CANCEL" ||
+           (find_word(capitals) == nullptr && !is_cycle_name(capitals) && !setting_of(capitals));
+}
+
+/// Those that run when the program returns, where it has moved since.
+void BlockLowering::note_actions_left() {
+    open_->left_at_return.clear();
+    Offset last_move = 0;
+    if (!open_->actions_left.empty())
+        for_each_block(builder_->program(), [&](const BlockView& block) {
+            const auto effects = builder_->program().effects_in(block.effects);
+            const bool moves = block.moves || std::ranges::any_of(effects, [](const Effect& effect) {
+                                   return std::holds_alternative<Motion>(effect.what);
+                               });
+            if (moves) last_move = block.span.begin;
+        });
+    for (const auto& [number, action] : open_->actions_left)
+        if (action.begin < last_move) open_->left_at_return.push_back(action);
+}
+
+/// One that runs is replaced by the next of its number. Where something else may run between, or a jump comes
+/// in, nobody knows whether it still runs.
+void BlockLowering::watch_actions(std::span<const Node* const> items, const Block& head) {
+    const auto may_end_them = [this](const Node* item) {
+        const Kind kind = kind_of(*item);
+        if (kind == Kind::command) {
+            const WordRow* row = find_word(upper_text(*item));
+            return row == nullptr || row->kind == WordKind::procedure;
+        }
+        return kind != Kind::literal_word && kind != Kind::assignment && kind != Kind::synchronised_action &&
+               kind != Kind::definition;
+    };
+    if (head.name || std::ranges::any_of(items, may_end_them)) open_->actions.clear();
+    if (std::ranges::any_of(items, [this](const Node* item) { return may_cancel(*item); }))
+        open_->actions_left.clear();
+    const auto action = action_number(items);
+    if (!action) return;
+    check_action_number(*action);
+    if (action->ends_with_program) open_->actions_left.try_emplace(action->number, span(*action->word));
+    const Span whole{span(*items.front()).begin, span(*items.back()).end};
+    const auto [known, is_new] = open_->actions.try_emplace(action->number, whole);
+    if (!is_new)
+        report(SyntaxErrorKind::action_again, span(*action->word),
+               std::string(program_->slice(known->second)));
 }
 
 } // namespace maclint::sinumerik

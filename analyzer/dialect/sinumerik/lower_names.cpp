@@ -1,5 +1,7 @@
 //! Names, types and sizes, held against the tables and against what the program defines.
 #include "analyzer/dialect/ascii.hpp"
+#include "analyzer/dialect/characters.hpp"
+#include "analyzer/dialect/numbers.hpp"
 #include "analyzer/dialect/sinumerik/g_codes.hpp"
 #include "analyzer/dialect/sinumerik/limits.hpp"
 #include "analyzer/dialect/sinumerik/lowering.hpp"
@@ -93,19 +95,38 @@ void BlockLowering::check_program_name(const Node& name) {
     if (capitals.starts_with("_N_")) capitals.erase(0, 3);
     if (capitals.ends_with("_SPF") || capitals.ends_with("_MPF")) capitals.resize(capitals.size() - 4);
     const std::string file = in_capitals(program_->name);
+    // A longer name no control gives: whoever stored the file has put its folders into it.
+    if (file.size() > limits::program_name) return;
     if (capitals != file && !is_decorated(file, capitals))
         report(SyntaxErrorKind::other_program_name, span(name), program_->name);
 }
+
+namespace {
+
+/// `$R[10]`, `$R10`, `$RG[1]`: R parameters in synchronised actions have no row [PGA p.344].
+bool is_r_parameter_of_actions(std::string_view capitals) {
+    if (!capitals.starts_with("$R")) return false;
+    capitals.remove_prefix(capitals.starts_with("$RG") ? 3 : 2);
+    return std::ranges::all_of(capitals, is_digit);
+}
+
+} // namespace
 
 void BlockLowering::check_system_variable(const Node& node) {
     const Node* name = child(node, Field::name);
     if (name == nullptr) return;
     std::string capitals = upper_text(*name);
     if (capitals.starts_with("$$")) capitals.erase(0, 1);
-    // R parameters in synchronised actions have no row [PGA p.344].
-    if (capitals == "$R" || capitals == "$RG" || is_control_data(capitals) || find_system_variable(capitals))
+    if (is_r_parameter_of_actions(capitals) || is_control_data(capitals) || find_system_variable(capitals))
         return;
     report(SyntaxErrorKind::unknown_system_variable, span(*name), "");
+}
+
+void BlockLowering::check_may_be_stored(const Node& system_variable) {
+    const Node* name = child(system_variable, Field::name);
+    if (name == nullptr) return;
+    const std::string_view held = held_by_read_only(upper_text(*name));
+    if (!held.empty()) report(SyntaxErrorKind::read_only_variable, span(system_variable), std::string(held));
 }
 
 void BlockLowering::lower_index(const Node& node, Span whole) {
@@ -165,9 +186,31 @@ void BlockLowering::check_initial_values(const Node& declarator) {
                std::to_string(static_cast<std::int64_t>(places)));
 }
 
-void BlockLowering::check_text(const Node& node) {
+/// Characters between the quotation marks.
+std::size_t BlockLowering::length_of_text(const Node& text_node) const {
     constexpr std::size_t quotes = 2;
-    const std::size_t length = characters_in(text(node)) - quotes;
+    return characters_in(text(text_node)) - quotes;
+}
+
+/// STRING[20]
+void BlockLowering::note_length_of_text(const std::string& variable, const Node& type) {
+    const std::string written = without_blanks(text(type));
+    const std::size_t open = written.find('[');
+    if (open == std::string::npos || type_name(type) != text_type) return;
+    if (const auto length = read_integer(written.substr(open + 1, written.find(']') - open - 1)))
+        open_->text_lengths.insert_or_assign(variable, static_cast<std::size_t>(*length));
+}
+
+void BlockLowering::check_length_of_text(std::string_view variable, const Node& value) {
+    const auto known = open_->text_lengths.find(variable);
+    if (known == open_->text_lengths.end() || kind_of(value) != Kind::string) return;
+    const std::size_t length = length_of_text(value);
+    if (length > known->second && length <= limits::text)
+        report(SyntaxErrorKind::text_too_long, span(value), std::to_string(known->second));
+}
+
+void BlockLowering::check_text(const Node& node) {
+    const std::size_t length = length_of_text(node);
     if (length > limits::text)
         report(SyntaxErrorKind::text_too_long, span(node), std::to_string(limits::text));
 }

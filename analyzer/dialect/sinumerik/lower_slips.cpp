@@ -36,6 +36,22 @@ bool BlockLowering::report_letter_o(std::string_view capitals, Span here) {
     return true;
 }
 
+/// `G0 XR1`: the value of an address is a variable, and the = is gone. Alone it may be a program.
+bool BlockLowering::report_variable_behind_address(std::string_view capitals, Span here) {
+    constexpr std::string_view addresses = "XYZABCUVWIJKFS";
+    constexpr std::size_t address_and_r = 2;
+    const bool is_one = capitals.size() > address_and_r &&
+                        addresses.find(capitals[0]) != std::string_view::npos && capitals[1] == 'R' &&
+                        std::ranges::all_of(capitals.substr(address_and_r), is_digit);
+    if (!is_one || words_in_block() < 2) return false;
+    std::string cure(capitals.substr(0, 1));
+    cure.append("=").append(capitals.substr(1));
+    const Offset behind = here.begin + 1;
+    report_with(SyntaxErrorKind::missing_equals, here, std::move(cure),
+                {"Write = behind the address", true, {{{behind, behind}, "="}}});
+    return true;
+}
+
 /// `ENDI` alone in its block, `GOTFO NEXT`: what stands there may open or close something, or jump.
 bool BlockLowering::report_slip(std::string_view capitals, Span here) {
     const std::size_t content = words_in_block();

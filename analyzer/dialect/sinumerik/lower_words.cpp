@@ -119,6 +119,7 @@ void BlockLowering::lower_assignment(const Node& node) {
     const Node* right = child(node, Field::right);
     if (left == nullptr || right == nullptr) return;
     check_stored(type_of_value(*left), *right);
+    if (kind_of(*left) == Kind::name) check_length_of_text(upper_text(*left), *right);
     const ExpressionId value =
         kind_of(*right) == Kind::value_list ? lower_all(*right, span(*right)) : lower_expression(*right);
     store(*left, value, span(node));
@@ -168,6 +169,7 @@ void BlockLowering::store(const Node& target, ExpressionId value, Span whole) {
     case Kind::name:
         note_unknown(target, false);
         set_rounding(upper_text(target), value, whole);
+        set_other_feed(upper_text(target), whole);
         add_word(upper_text(target), value, whole);
         moves_ |= upper_text(target) == "AP" || upper_text(target) == "RP"; // a pole's angle and radius
         evaluate(value, whole);
@@ -185,6 +187,7 @@ void BlockLowering::store(const Node& target, ExpressionId value, Span whole) {
         break;
     case Kind::system_variable: {
         if (upper_text(target).starts_with("$P_PFRAME")) forget_frames(whole);
+        check_may_be_stored(target);
         const Expression read = expression(lower_system_variable(target));
         if (const auto* owned = std::get_if<LoadMachine>(&read.node))
             return effect({Assign{StoreMachine{owned->family, owned->number}, value}, whole});
@@ -193,6 +196,12 @@ void BlockLowering::store(const Node& target, ExpressionId value, Span whole) {
     }
     default: evaluate(value, whole); break;
     }
+}
+
+/// FZ=0.1, of a tooth; FB=100, for the block: there is a feed, whichever.
+void BlockLowering::set_other_feed(std::string_view name, Span whole) {
+    if (name == "FZ" || name == "FB")
+        effect({SetModal{program_->control->group_with(ModalRole::feed), changing("", whole)}, whole});
 }
 
 /// RNDM=5: all corners behind it, until RNDM=0 [SEED-004:150-164].

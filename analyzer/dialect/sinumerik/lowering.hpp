@@ -49,7 +49,18 @@ class BlockLowering : private TreeLowering {
     void watch_distance(std::span<const Node* const> items, const Block& head);
     [[nodiscard]] const Node* without_number(const Node& value) const;
     void check_distance(const Node& word, const Node& value);
-    void check_action_number(std::span<const Node* const> items);
+    /// `ID=1` in front of an action.
+    struct ActionNumber {
+        const Node* word;
+        double number;
+        bool ends_with_program; ///< ID: with the main program; IDS runs on
+    };
+    /// Nothing where there is none, or its number is calculated.
+    [[nodiscard]] std::optional<ActionNumber> action_number(std::span<const Node* const> items) const;
+    void check_action_number(const ActionNumber& action);
+    [[nodiscard]] bool may_cancel(const Node& item) const;
+    void note_actions_left();
+    void watch_actions(std::span<const Node* const> items, const Block& head);
 
     // ---- loops and jumps (lower_flow.cpp)
     void lower_if(const Node& node);
@@ -73,6 +84,7 @@ class BlockLowering : private TreeLowering {
     void lower_definition(const Node& node);
     void lower_declarator(const Node& node, const Node& type);
     void lower_external(const Node& node);
+    void lower_macro_definition(const Node& node);
     void give_name(std::string capitals);
     void define_array(const Node& name, const Node& size, std::string_view type);
     void lower_named(const Node& name, const Node* arguments, const Node& whole);
@@ -87,6 +99,7 @@ class BlockLowering : private TreeLowering {
 
     // ---- misspelt words of the language (lower_slips.cpp)
     bool report_letter_o(std::string_view capitals, Span here);
+    bool report_variable_behind_address(std::string_view capitals, Span here);
     bool report_slip(std::string_view capitals, Span here);
     void note_misspelt_word(std::string_view capitals, Span here);
     bool lower_misspelt_declaration(std::span<const Node* const> items);
@@ -102,6 +115,7 @@ class BlockLowering : private TreeLowering {
     [[nodiscard]] bool takes_words(const Node& item) const;
     void lower_function_of_machine(double number, Span here);
     void set_rounding(std::string_view name, ExpressionId value, Span whole);
+    void set_other_feed(std::string_view name, Span whole);
     void set_group_by_number(const Node& index, ExpressionId value, Span whole);
     void evaluate(ExpressionId value, Span here);
     void evaluate_axes(const Node& index, Span here);
@@ -138,6 +152,9 @@ class BlockLowering : private TreeLowering {
     void report_quotes(Span here);
     [[nodiscard]] Span keyword_of(const Node& statement) const;
     void check_alone(std::span<const Node* const> items, const Block& head);
+    void check_length(std::span<const Node* const> items);
+    void check_functions(std::span<const Node* const> items);
+    void check_alarm_number(const Node& arguments);
     void report_expected(Span here, std::string_view expected);
     void report_with(SyntaxErrorKind kind, Span here, std::string cure, Remedy remedy);
 
@@ -145,11 +162,15 @@ class BlockLowering : private TreeLowering {
     void check_name(const Node& name, std::size_t longest);
     void check_taken(const Node& name);
     void check_system_variable(const Node& node);
+    void check_may_be_stored(const Node& system_variable);
     void check_program_name(const Node& name);
     void lower_index(const Node& node, Span whole);
     void check_index(const Node& node, std::span<const ExpressionId> indices);
     void check_initial_values(const Node& declarator);
     void check_text(const Node& node);
+    [[nodiscard]] std::size_t length_of_text(const Node& text_node) const;
+    void note_length_of_text(const std::string& variable, const Node& type);
+    void check_length_of_text(std::string_view variable, const Node& value);
     void note_unknown(const Node& name, bool is_read);
     void check_operands(const Node& calculation);
     void check_stored(std::string_view type, const Node& value);

@@ -9,6 +9,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <map>
 #include <optional>
 #include <string>
 #include <unordered_map>
@@ -44,7 +45,10 @@ struct OpenProgram {
     // Of the blocks before; set by the lowering. Names are in capitals.
     VariablesByName variables = {}; ///< that DEF and PROC declare, arrays left out
     Arrays arrays = {};
-    TextSet macros = {}; ///< that DEFINE declares: each stands for any piece of a block
+    /// How many characters the variables of texts hold.
+    std::unordered_map<std::string, std::size_t, TextHash, std::equal_to<>> text_lengths = {};
+    TextSet macros = {};   ///< that DEFINE declares: each stands for any piece of a block
+    TextSet switches = {}; ///< of these, those that only switch something of the machine
     /// The counters of the open FORs; nothing where the loop counts in no single variable.
     std::vector<std::optional<Variable>> counters = {};
     /// What PROC … SAVE keeps for the caller: groups, and where their codes are kept.
@@ -55,6 +59,9 @@ struct OpenProgram {
     std::optional<NamedPlace> frame = {}; ///< that the block before has written, with which nothing moved
     bool incremental = false; ///< G91 is in force for sure: it stands before, and nothing between leads
                               ///< elsewhere
+    std::map<double, Span> actions = {};      ///< synchronised ones that surely run, by number
+    std::map<double, Span> actions_left = {}; ///< those that no CANCEL has ended so far
+    std::vector<Span> left_at_return = {};    ///< of these, those that ran at the last return
     std::vector<NamedPlace> labels = {};
     std::vector<NamedPlace> both_ways = {}; ///< jumps that look in both directions
     std::unordered_map<std::string, Uses, TextHash, std::equal_to<>> unknown = {}; ///< names that the program

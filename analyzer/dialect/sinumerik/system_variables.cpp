@@ -254,6 +254,44 @@ std::optional<SystemVariable> find_system_variable(std::string_view capitals) {
     return row != all.end() && row->first == name ? std::optional(row->second) : std::nullopt;
 }
 
+std::string_view held_by_read_only(std::string_view capitals) {
+    // What they hold: SV. That nothing can be stored there follows from it: the machine or the control says
+    // it.
+    constexpr std::pair<std::string_view, std::string_view> rows[] = {
+        {"$A_IN", "an input"},
+        {"$A_INA", "an analog input"},
+        {"$A_PROBE", "whether the probe touches"},
+        {"$A_YEAR", "the date"},
+        {"$A_MONTH", "the date"},
+        {"$A_DAY", "the date"},
+        {"$A_HOUR", "the time of day"},
+        {"$A_MINUTE", "the time of day"},
+        {"$A_SECOND", "the time of day"},
+        {"$A_MSECOND", "the time of day"},
+        {"$AA_IM", "a position of the machine"},
+        {"$AA_IW", "a position of the workpiece"},
+        {"$AA_IB", "a position of the basic system"},
+        {"$AA_MM", "a measured position"},
+        {"$AA_MW", "a measured position"},
+        {"$AC_MEA", "whether the probe has touched"},
+        {"$P_GG", "the code in force of a group"},
+        {"$P_EP", "the last position of the program"},
+        {"$P_SUBPAR", "whether an argument was passed"},
+        {"$P_TOOLNO", "the number of the tool"},
+        {"$P_TOOLR", "the radius of the tool"},
+        {"$P_TOOLL", "a length of the tool"},
+        {"$P_F", "the feed of the program"},
+        {"$P_S", "the speed of the program"},
+        {"$P_SDIR", "the direction of the spindle"},
+        {"$P_SEARCH", "whether the control searches for a block"},
+        {"$P_SIM", "whether the program is simulated"},
+        {"$P_STACK", "the level of the program"},
+    };
+    const auto* row =
+        std::ranges::find(rows, capitals, &std::pair<std::string_view, std::string_view>::first);
+    return row == std::end(rows) || !find_system_variable(capitals) ? std::string_view{} : row->second;
+}
+
 bool is_control_data(std::string_view capitals) {
     static constexpr std::string_view stems[] = {"MM_", "MN_", "MC_", "MA_", "MNS_", "MCS_", "MAS_",
                                                  "MD_", "SN_", "SC_", "SA_", "SNS_", "SCS_", "SAS_"};

@@ -17,6 +17,10 @@ struct SystemVariable {
 /// Nothing for a name of no row [SV]. Capitals, with its `$`; `$$` reads the same at another time.
 [[nodiscard]] std::optional<SystemVariable> find_system_variable(std::string_view capitals);
 
+/// What a variable holds that programs can only read: "an input"; empty where they may store something in
+/// it, or where it is not known.
+[[nodiscard]] std::string_view held_by_read_only(std::string_view capitals);
+
 /// Machine, setting and compensation data and the like, which no row lists: `$MC_…`, `$SA_…` [MD].
 [[nodiscard]] bool is_control_data(std::string_view capitals);
 

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -89,7 +90,18 @@ const std::array<std::uint8_t, 256>& group_rows() {
     return rows;
 }
 
-std::vector<ModalGroup> modal_groups() {
+/// What is in force when a program begins: the maker of the machine chooses it [MD20150]. On a mill it is
+/// what a control is delivered with, on a lathe these are other codes; who names neither has told nothing.
+std::optional<double> in_force_at_start(const GGroupRow& group, std::optional<Machine> machine) {
+    if (!machine) return std::nullopt;
+    constexpr std::string_view of_lathes[] = {"G18", "G95", "DIAMON"};
+    if (machine == Machine::lathe)
+        for (const std::string_view name : of_lathes)
+            if (const GCodeRow* code = find_g_code(name); code->group == group.number) return code->member;
+    return group.reset == 0 ? std::nullopt : std::optional<double>(group.reset);
+}
+
+std::vector<ModalGroup> modal_groups(std::optional<Machine> machine) {
     std::vector<ModalGroup> groups;
     for (const GGroupRow& row : g_groups()) {
         if (!is_followed(row)) continue;
@@ -97,6 +109,7 @@ std::vector<ModalGroup> modal_groups() {
         group.name = row.what;
         group.letter = 'G';
         group.source = source_of_g_groups;
+        group.reset = in_force_at_start(row, machine);
         const auto* role = std::ranges::find(roles, row.number, &GroupRole::group);
         if (role != std::end(roles)) {
             group.role = role->role;
@@ -134,7 +147,9 @@ std::vector<ModalGroup> modal_groups() {
                  0,
                  coupling.source};
         const std::string_view off = coupling.off.substr(0, coupling.off.find(' '));
-        group.members = {{0, off}, {1, coupling.on.substr(0, coupling.on.find(' '))}};
+        group.members = {{0, off}};
+        double code = 0;
+        for_each_word(coupling.on, [&](std::string_view word) { group.members.emplace_back(++code, word); });
         group.cancel_words = off;
         if (coupling.name == rounding) group.restore_policy = RestorePolicy::cycle;
     }
@@ -176,23 +191,25 @@ VariableFamily owned() {
 /// Rules that were held against programs of the language, sorted.
 constexpr std::string_view rules_tried[] = {
     "MAC001", "MAC002", "MAC003", "MAC004", "MAC106", "MAC109", "MAC117", "MAC118", "MAC119", "MAC121",
-    "MAC126", "MAC129", "MAC213", "MAC301", "MAC303", "MAC318", "MAC319", "MAC320", "MAC321", "MAC337",
-    "MAC340", "MAC402", "MAC411", "MAC412", "MAC413", "MAC456", "MAC457", "MAC462", "MAC472", "MAC501",
-    "MAC502", "MAC505", "MAC506", "MAC507", "MAC510", "MAC511", "MAC514", "MAC517", "MAC522", "MAC558",
-    "MAC559", "MAC570", "MAC702", "MAC703", "MAC704", "MAC728", "SIN104", "SIN105", "SIN106", "SIN107",
-    "SIN109", "SIN110", "SIN111", "SIN112", "SIN113", "SIN114", "SIN115", "SIN123", "SIN124", "SIN201",
-    "SIN202", "SIN203", "SIN204", "SIN207", "SIN208", "SIN209", "SIN210", "SIN211", "SIN213", "SIN302",
-    "SIN303", "SIN304", "SIN305", "SIN402", "SIN403", "SIN404", "SIN405", "SIN407", "SIN408", "SIN411",
-    "SIN412", "SIN502", "SIN504", "SIN505", "SIN601", "SIN602",
+    "MAC126", "MAC129", "MAC203", "MAC213", "MAC301", "MAC303", "MAC318", "MAC319", "MAC320", "MAC321",
+    "MAC337", "MAC340", "MAC402", "MAC411", "MAC412", "MAC413", "MAC456", "MAC457", "MAC462", "MAC472",
+    "MAC501", "MAC502", "MAC505", "MAC506", "MAC507", "MAC510", "MAC511", "MAC514", "MAC517", "MAC522",
+    "MAC553", "MAC558", "MAC559", "MAC570", "MAC601", "MAC702", "MAC703", "MAC704", "MAC728", "SIN104",
+    "SIN105", "SIN106", "SIN107", "SIN109", "SIN110", "SIN111", "SIN112", "SIN113", "SIN114", "SIN115",
+    "SIN116", "SIN120", "SIN123", "SIN124", "SIN201", "SIN202", "SIN203", "SIN204", "SIN207", "SIN208",
+    "SIN209", "SIN210", "SIN211", "SIN213", "SIN302", "SIN303", "SIN304", "SIN305", "SIN402", "SIN403",
+    "SIN404", "SIN405", "SIN407", "SIN408", "SIN411", "SIN412", "SIN501", "SIN502", "SIN504", "SIN505",
+    "SIN601", "SIN602", "SIN603",
 };
 static_assert(std::ranges::is_sorted(rules_tried));
 
-ControlModel make() {
+ControlModel make(std::string_view name, std::string_view description, std::optional<Machine> machine) {
     ControlModel control;
-    control.name = "sinumerik";
+    control.name = name;
     control.language = "sinumerik";
     control.model = "sinumerik";
-    control.description = "SIEMENS SINUMERIK 840D sl, 828D, 808D, ONE";
+    control.description = description;
+    control.machine = machine.value_or(Machine::mill);
     control.has_block_if = true;
     control.calculator_input = true;
     control.assumed = false;
@@ -204,7 +221,8 @@ ControlModel make() {
     };
     control.jump_words = {{LabelSearch::forward, "GOTOF"}, {LabelSearch::backward, "GOTOB"}};
     control.rules_tried = rules_tried;
-    control.repeatable = {"G", "H", "M"}; // [T]: axes, F, S, T, D stand once
+    // Axes, F, S, T, D stand once [T]; POS and POSA once for each axis, which their address does not say.
+    control.repeatable = {"G", "H", "M", "POS", "POSA"};
     control.contradiction = Contradiction::forbidden;
     // How deep loops may stand in each other no public page tells [language.md 11.1].
     control.limits = {.macro_calls = 0,
@@ -222,7 +240,7 @@ ControlModel make() {
         {"value of the control", "",  false, Scope::machine,  InitialValue::old_value, "SV"},
     };
     control.families = {r_parameters(), owned()};
-    control.groups = modal_groups();
+    control.groups = modal_groups(machine);
     control.calls = {
         {"call of a subprogram", Frame::fresh, NestingLimit::subprogram, CallTrigger::once, 0, "NCP23 p.490"},
         {"call of a cycle",      Frame::fresh, NestingLimit::subprogram, CallTrigger::once, 0, "SCYC", LookupScope::everywhere, true},
@@ -268,14 +286,19 @@ std::optional<FrameCode> frame_code(std::string_view capitals) {
 
 std::optional<GroupCode> coupling_code(std::string_view procedure) {
     const auto first = static_cast<std::size_t>(modal_call_group()) - std::size(couplings);
-    for (std::size_t i = 0; i < std::size(couplings); ++i)
-        for (const auto& [words, code] :
-             {std::pair(couplings[i].on, 1.0), std::pair(couplings[i].off, 0.0)}) {
-            bool found = false;
-            for_each_word(words, [&](std::string_view word) { found |= word == procedure; });
-            if (found) return GroupCode{static_cast<GroupId>(first + i), code};
-        }
-    return std::nullopt;
+    std::optional<GroupCode> found;
+    for (std::size_t i = 0; i < std::size(couplings); ++i) {
+        const auto group = static_cast<GroupId>(first + i);
+        double code = 0;
+        for_each_word(couplings[i].on, [&](std::string_view word) {
+            ++code;
+            if (word == procedure) found = GroupCode{group, code};
+        });
+        for_each_word(couplings[i].off, [&](std::string_view word) {
+            if (word == procedure) found = GroupCode{group, 0};
+        });
+    }
+    return found;
 }
 
 bool is_put_back_by_save(GroupId group) {
@@ -292,9 +315,14 @@ std::vector<GroupId> frame_groups() {
     return groups;
 }
 
-const ControlModel& control() {
-    static const ControlModel model = make();
-    return model;
+std::span<const ControlModel> controls() {
+    static const std::array models = {
+        make("sinumerik", "SIEMENS SINUMERIK 840D sl, 828D, 808D, ONE", {}),
+        make("sinumerik-mill", "SIEMENS SINUMERIK, mill: G17, G94, DIAMOF", Machine::mill),
+        make("sinumerik-lathe", "SIEMENS SINUMERIK, lathe: G18, G95, DIAMON", Machine::lathe)};
+    return models;
 }
+
+const ControlModel& control() { return controls().front(); }
 
 } // namespace maclint::sinumerik

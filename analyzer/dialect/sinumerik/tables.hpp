@@ -77,7 +77,10 @@ struct FrameCode {
 /// Which words move the axes.
 [[nodiscard]] const MachineWords& machine_words();
 
-/// The one control so far: "sinumerik".
+/// "sinumerik", of which nobody has said what machine it is at, and those with the codes of a mill or of a
+/// lathe in force when a program begins.
+[[nodiscard]] std::span<const ControlModel> controls();
+/// "sinumerik": groups, calls and variables are the same in all.
 [[nodiscard]] const ControlModel& control();
 
 } // namespace maclint::sinumerik

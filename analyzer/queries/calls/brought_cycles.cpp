@@ -30,13 +30,15 @@ std::optional<double> number_passed(const Program& program, const Call& call, co
     const auto named = std::ranges::find(cycle.parameters, parameter);
     if (named == cycle.parameters.end()) return std::nullopt;
     const auto place = static_cast<std::uint32_t>(named - cycle.parameters.begin());
+    std::optional<double> number;
     for (const Argument& given : program.arguments_of(call)) {
         const auto* position = std::get_if<ArgumentPosition>(&given.given);
-        if (position == nullptr || position->number != place) continue;
+        if (position == nullptr) continue;
+        if (position->number >= cycle.parameters.size()) return std::nullopt;
         const auto* literal = std::get_if<Literal>(&program.expressions[given.value].node);
-        if (literal != nullptr) return literal->value;
+        if (position->number == place && literal != nullptr) number = literal->value;
     }
-    return std::nullopt;
+    return number;
 }
 
 } // namespace maclint::queries

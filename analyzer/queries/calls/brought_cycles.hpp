@@ -12,7 +12,9 @@ namespace maclint::queries {
 /// The cycle of the control that the effect calls; nullptr: it calls none, or a program of the shop that has
 /// its name.
 [[nodiscard]] const BroughtCycle* cycle_called(const ProgramAnalysis& analysis, EffectId effect);
-/// The number that stands there as the cycle's parameter; nothing where it is left out or calculated.
+/// The number that stands there as the cycle's parameter; nothing where it is left out or calculated, and
+/// where the call has more places than the list: in a newer form of the cycle the same place may be a
+/// diameter.
 [[nodiscard]] std::optional<double> number_passed(const Program& program, const Call& call,
                                                   const BroughtCycle& cycle, std::string_view parameter);
 

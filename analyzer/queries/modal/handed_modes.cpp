@@ -67,7 +67,10 @@ class Ends {
         const auto id = static_cast<EffectId>(&effect - caller_.program().effects.data());
         const CallSite* site = caller_.call_at(id);
         const ProgramAnalysis* callee = site == nullptr ? nullptr : called_program(caller_, *site);
-        if (callee == nullptr) return Said::otherwise;
+        if (callee == nullptr) {
+            const auto& call = std::get<Call>(effect.what);
+            return caller_.control().calls[call.kind].brought_by_control ? Said::nothing : Said::otherwise;
+        }
         if (!call_may_change(caller_, id, group_)) return Said::nothing;
         Said said = Said::otherwise;
         for_each_block(callee->program(), [&](const BlockView& block) {
@@ -94,7 +97,10 @@ class Ends {
         for (const BlockSetting& setting : block.settings) {
             if (!setting.value) continue;
             if (setting.group == group_) code = setting.value;
-            cancelled += groups[setting.group].cancel == setting.value ? 1U : 0U;
+            // ROT alone ends all parts of the frame: they are cancelled by one word.
+            const bool by_the_same_word = setting.group != group_ && !groups[group_].cancel_words.empty() &&
+                                          groups[setting.group].cancel_words == groups[group_].cancel_words;
+            cancelled += groups[setting.group].cancel == setting.value && !by_the_same_word ? 1U : 0U;
         }
         if (!code) return Said::nothing;
         return code == groups[group_].cancel && cancelled == 1 ? Said::cancelled : Said::otherwise;

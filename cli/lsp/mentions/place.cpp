@@ -78,13 +78,27 @@ std::vector<Word> words_at(const Program& program, const LineTable& lines, Offse
 Span name_at(std::string_view text, Offset at) { return run_at(text, at, is_of_name); }
 Span letters_at(std::string_view text, Offset at) { return run_at(text, at, is_letter_of_name); }
 
+namespace {
+
+/// MSG("row; column"): what stands between quotation marks opens no comment.
+bool opens_outside_text(std::string_view line, std::string_view opening) {
+    bool in_text = false;
+    for (std::size_t i = 0; i < line.size(); ++i) {
+        if (line[i] == '"') in_text = !in_text;
+        if (!in_text && line.substr(i).starts_with(opening)) return true;
+    }
+    return false;
+}
+
+} // namespace
+
 bool is_in_comment(const ReadText& text, Offset at) {
     const Span line = text.lines.line(text.lines.line_of(at));
     const std::string_view before = text.source().bytes({line.begin, std::clamp(at, line.begin, line.end)});
     const Dialect& dialect = text.dialect();
+    if (dialect.comment_close.empty()) return opens_outside_text(before, dialect.comment_open);
     const std::size_t open = before.rfind(dialect.comment_open);
-    if (open == std::string_view::npos) return false;
-    return dialect.comment_close.empty() ||
+    return open != std::string_view::npos &&
            before.find(dialect.comment_close, open) == std::string_view::npos;
 }
 

@@ -86,6 +86,14 @@ TEST_F(LspHover, KnowsTheWordsOfSinumerik) {
     EXPECT_THAT(words(4, 9), HasSubstr("**GOTOF** keyword: jump forward"));
 }
 
+TEST_F(LspHover, TakesNoTextForARemark) {
+    open("MSG(\"row; \"<<R1)\nR1=5 ; R1 \"row\" R1\nM30\n", "sinumerik");
+    EXPECT_THAT(words(0, 13), HasSubstr("**R1**"));
+    EXPECT_THAT(words(1, 0), HasSubstr("**R1**"));
+    EXPECT_THAT(words(1, 7), Not(HasSubstr("**R1**")));
+    EXPECT_THAT(words(1, 16), Not(HasSubstr("**R1**")));
+}
+
 TEST_F(LspHover, KnowsTheWordsOfDinPlus) {
     open("MACHINING\nN1 #l1=SQRT(5)\nN2 G860 NS1 NE2 I0.5\nN3 M8\nN4 M30\nEND\n", "dinplus");
     EXPECT_THAT(words(1, 8), HasSubstr("**SQRT** function: square root"));
