@@ -206,12 +206,20 @@ std::optional<Arc> Reader::read() const {
         ways[axis] = *along;
     }
     const Pair plane_way = chosen.in_plane(ways);
-    Arc arc = has_centre() ? chosen.by_centre(plane_way, *outside) : chosen.by_radius(plane_way);
-    // Lengths that may be diameters tell nothing of the circle; a letter of another plane is wrong all the
-    // same.
-    const bool needs_no_lengths =
-        arc.fault == ArcFault::nothing_moves || (arc.fault == ArcFault::other_plane && !has_end(*outside));
-    if (machine_.diameter_by_code && *outside != z_axis && !needs_no_lengths) return std::nullopt;
+    const auto arc_along = [&](const Pair& along) {
+        return has_centre() ? chosen.by_centre(along, *outside) : chosen.by_radius(along);
+    };
+    Arc arc = arc_along(plane_way);
+    // Lengths that may be diameters: only what is no circle either way is told. A letter of another plane, or
+    // a circle without a way, is wrong whatever they are.
+    const bool may_be_diameter = machine_.diameter_by_code && *outside == y_axis &&
+                                 arc.fault != ArcFault::nothing_moves &&
+                                 (arc.fault != ArcFault::other_plane || has_end(*outside));
+    if (may_be_diameter) {
+        const Arc halved = arc_along({plane_way[0] / 2, plane_way[1]});
+        if (arc.fault == ArcFault::none || halved.fault == ArcFault::none) return std::nullopt;
+        arc = halved;
+    }
     arc.letters =
         std::string(1, machine_.centres[chosen.plane_[0]]) + " and " + machine_.centres[chosen.plane_[1]];
     arc.plane_of_start = step_.after.of(ModalRole::plane).is_callers() && !machine_.x_is_diameter;

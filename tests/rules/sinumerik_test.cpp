@@ -209,6 +209,10 @@ TEST(SinumerikNames, OneLetterOffAreTold) {
 TEST(SinumerikNames, AreThoseOfTheFile) {
     EXPECT_THAT(findings("SIN408", "%_N_SLOT_SPF\nPROC _N_SLOT_SPF\nM17\n"), IsEmpty());
     EXPECT_THAT(findings("SIN408", "%_N_SLOT_SPF\nPROC GROOVE\nM17\n"), SizeIs(1));
+    const auto of_folders =
+        findings("SIN408", "%_N_SHOP_CYCLES__GRINDING__RIGHT_GRIND_SPF\nPROC LEFT_GRIND\nM17\n");
+    ASSERT_THAT(of_folders, SizeIs(1));
+    EXPECT_THAT(of_folders.front().message(), HasSubstr("the program is RIGHT_GRIND"));
     EXPECT_THAT(findings("SIN408", "%_N_CMA__DRESS_SPF\nPROC DRESS\nM17\n"),
                 IsEmpty()); // a folder's name before it
     EXPECT_THAT(findings("SIN408", "%_N_UNDRESS_SPF\nPROC DRESS\nM17\n"), SizeIs(1));
@@ -284,7 +288,14 @@ TEST(SinumerikArcs, AreJudgedInPlanesWithoutDiameters) {
     EXPECT_THAT(findings("MAC522", "G17 G90 G0 X0 Y20\nG2 X20 Y40 CR=11.3\nM30\n"), SizeIs(1));
     EXPECT_THAT(findings("MAC522", "G17 G90 G0 X0 Y20\nG2 X20 Y40 CR=14.2\nM30\n"), IsEmpty());
     EXPECT_THAT(findings("MAC522", "G17 G90 G0 X0 Y20\nG2 X20 Y40 I48 J0\nM30\n"), SizeIs(1));
+    // X20 is 20 or 10 from X0: an arc that joins the ends for the one or the other.
     EXPECT_THAT(findings("MAC522", "G18 G90 G0 X0 Z20\nG2 X20 Z40 CR=11.3\nM30\n"), IsEmpty());
+    EXPECT_THAT(findings("MAC522", "G18 G90 G0 X0 Z20\nG2 X20 Z40 CR=11.1\nM30\n"),
+                SizeIs(1)); // 22.4 apart at least
+    EXPECT_THAT(findings("MAC522", "G18 G90 G0 X0 Z0\nG2 X20 Z-10 I10 K0\nM30\n"), IsEmpty());
+    EXPECT_THAT(findings("MAC522", "G18 G90 G0 X0 Z0\nG2 X10 Z-10 I10 K0\nM30\n"), IsEmpty());
+    EXPECT_THAT(findings("MAC522", "G18 G90 G0 X0 Z0\nG2 X30 Z-10 I10 K0\nM30\n"), SizeIs(1));
+    EXPECT_THAT(findings("MAC522", "G19 G90 G0 Y0 Z20\nG2 Y20 Z40 CR=11.3\nM30\n"), SizeIs(1)); // no X
     EXPECT_THAT(findings("MAC522", "TRANSMIT(1)\nG17 G90 G0 X0 Y20\nG2 X20 Y40 CR=11.3\nM30\n"), IsEmpty());
     // J is no letter of G18, whatever X is.
     EXPECT_THAT(findings("MAC522", "G18 G90 G0 X0 Z0\nG2 X10 Z-10 I0 J-10\nM30\n"), SizeIs(1));

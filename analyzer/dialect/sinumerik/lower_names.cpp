@@ -95,10 +95,15 @@ void BlockLowering::check_program_name(const Node& name) {
     if (capitals.starts_with("_N_")) capitals.erase(0, 3);
     if (capitals.ends_with("_SPF") || capitals.ends_with("_MPF")) capitals.resize(capitals.size() - 4);
     const std::string file = in_capitals(program_->name);
-    // A longer name no control gives: whoever stored the file has put its folders into it.
-    if (file.size() > limits::program_name) return;
-    if (capitals != file && !is_decorated(file, capitals))
-        report(SyntaxErrorKind::other_program_name, span(name), program_->name);
+    if (capitals == file || is_decorated(file, capitals)) return;
+    // A longer name no control gives: whoever stored the file has put its folders before it.
+    std::string_view given = program_->name;
+    if (given.size() > limits::program_name) {
+        const std::size_t folders = given.rfind("__");
+        if (folders == std::string_view::npos) return;
+        given.remove_prefix(folders + 2);
+    }
+    report(SyntaxErrorKind::other_program_name, span(name), std::string(given));
 }
 
 namespace {
