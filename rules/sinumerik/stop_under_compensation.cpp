@@ -45,7 +45,7 @@ X80
 G40 G0 X100
 M30
 )nc"}},
-    .sources = {"SD42480"},
+    .sources = {"T: setting data 42480"},
     .check = &check,
 };
 

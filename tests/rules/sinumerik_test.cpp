@@ -305,6 +305,7 @@ TEST(SinumerikArcs, AreJudgedInPlanesWithoutDiameters) {
 TEST(SinumerikFunctions, AreFiveOfMAndThreeOfTheOthers) {
     const auto block = [](const std::string& words) { return findings("SIN120", words + "\nM30\n"); };
     EXPECT_THAT(block("G1 X5 M3 M8 M41 M21 M25"), IsEmpty());
+    EXPECT_THAT(block("N10 M3 M8 M41 M21 M25 M31"), SizeIs(1));
     EXPECT_THAT(block("G1 X5 M3 M8 M41 M21 M1=3 M2=4 M3=5"), SizeIs(1)); // one finding for the block
     EXPECT_THAT(block("S500 S2=300 S3=100"), IsEmpty());
     EXPECT_THAT(block("S500 S2=300 S3=100 S4=100"), SizeIs(1));

@@ -69,8 +69,8 @@ PlainTables make() {
     set(tables, "M", {.start = PlainStart::code, .which = 1, .form = {.without_point = true}});
     set(tables, "N", {.start = PlainStart::block_number});
     for (std::size_t i = 0; i < letters.size(); ++i) tables.names[i] = letters.substr(i, 1);
-    for (const char c : std::string_view("GM"))
-        tables.may_repeat.add(static_cast<syntax::AddressId>(c - 'A'));
+    // Of other addresses the reader hears where they stand twice: of M, too, which it counts.
+    tables.may_repeat.add(static_cast<syntax::AddressId>('G' - 'A'));
     for (std::size_t code = 0; code < codes; ++code) {
         tables.codes[0].rows.push_back(plain_g_code(code));
         tables.codes[1].rows.push_back(plain_function(code));

@@ -41,6 +41,7 @@ class Language {
         , lowering_(file.syntax_errors) {}
 
     [[nodiscard]] static Offset start() { return 0; }
+    static constexpr syntax::AddressId functions_of_machine = 'M' - 'A';
 
     /// Over plain blocks.
     template<class Visit>
@@ -51,6 +52,7 @@ class Language {
             const syntax::Lane lane = syntax::scan_block(text_, at, plain_tables(), block);
             if (lane == syntax::Lane::grammar) break;
             if (lane == syntax::Lane::blank) continue;
+            if (block.repeated.contains(functions_of_machine)) break; // they are counted
             visit(block.span);
             if (run_.is_full()) close_run();
             run_.add(block);
