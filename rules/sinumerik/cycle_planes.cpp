@@ -4,11 +4,6 @@
 #include "rules/path.hpp"
 #include "rules/rule.hpp"
 
-#include <algorithm>
-#include <cstddef>
-#include <string_view>
-#include <variant>
-
 namespace maclint::rules {
 
 namespace {
@@ -22,8 +17,8 @@ extern const Rule cycle_planes{
     .why =
         "The tool drills away from the plane to which it is drawn back (RTP), from the reference plane (RFP) "
         "to the depth (DP, or DPR from there on). Where neither is given, or the depth lies on the side of "
-        "RTP, "
-        "the cycle stops with an alarm: mostly the sign of the depth is lost.",
+        "RTP, the "
+        "cycle stops with an alarm: mostly the sign of the depth is lost.",
     .severity = Severity::error,
     .precision = Precision::very_high,
     .needs = {Capability::paired_words},
@@ -57,22 +52,6 @@ M30
 
 namespace {
 
-/// Whether it could have a depth and has none: a call with more places is one of a newer form.
-bool lacks_depth(const Program& program, const Call& call, const BroughtCycle& cycle) {
-    const auto place_of = [&](std::string_view parameter) {
-        return static_cast<std::size_t>(std::ranges::find(cycle.parameters, parameter) -
-                                        cycle.parameters.begin());
-    };
-    const std::size_t places = cycle.parameters.size(), depth = place_of("DP"), way = place_of("DPR");
-    const auto arguments = program.arguments_of(call);
-    return depth < places && way < places && !arguments.empty() &&
-           std::ranges::none_of(arguments, [&](const Argument& argument) {
-               const auto* position = std::get_if<ArgumentPosition>(&argument.given);
-               return position == nullptr || position->number >= places || position->number == depth ||
-                      position->number == way;
-           });
-}
-
 void check(const ProgramAnalysis& analysis, Reporter& reporter) {
     const Program& program = analysis.program();
     for (const CallSite& site : analysis.calls()) {
@@ -80,7 +59,8 @@ void check(const ProgramAnalysis& analysis, Reporter& reporter) {
         if (cycle == nullptr) continue;
         const Call& call = queries::call_of(program, site.effect);
         const Span span = program.effects[site.effect].span;
-        if (lacks_depth(program, call, *cycle)) {
+        if (queries::is_left_out(program, call, *cycle, "DP") &&
+            queries::is_left_out(program, call, *cycle, "DPR")) {
             reporter.report({analysis, site.effect}, span, "none", {quoted(program, span)});
             continue;
         }

@@ -53,14 +53,10 @@ M30
 namespace {
 
 void check(const ProgramAnalysis& analysis, Reporter& reporter) {
-    report_under_compensation(
-        analysis, "cycle", reporter, [&](const BlockView& block) -> std::optional<EffectId> {
-            for (EffectId id = block.effects.first; id < block.effects.first + block.effects.count; ++id)
-                if (const BroughtCycle* cycle = queries::cycle_called(analysis, id);
-                    cycle != nullptr && cycle->wants_no_compensation)
-                    return id;
-            return std::nullopt;
-        });
+    report_under_compensation(analysis, "cycle", reporter, [&](EffectId id) {
+        const BroughtCycle* cycle = queries::cycle_called(analysis, id);
+        return cycle != nullptr && cycle->wants_no_compensation;
+    });
 }
 
 } // namespace

@@ -53,12 +53,9 @@ namespace {
 
 void check(const ProgramAnalysis& analysis, Reporter& reporter) {
     const Program& program = analysis.program();
-    report_under_compensation(
-        analysis, "stop", reporter, [&](const BlockView& block) -> std::optional<EffectId> {
-            for (EffectId id = block.effects.first; id < block.effects.first + block.effects.count; ++id)
-                if (std::holds_alternative<Synchronise>(program.effects[id].what)) return id;
-            return std::nullopt;
-        });
+    report_under_compensation(analysis, "stop", reporter, [&](EffectId id) {
+        return std::holds_alternative<Synchronise>(program.effects[id].what);
+    });
 }
 
 } // namespace

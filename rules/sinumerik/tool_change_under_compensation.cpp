@@ -54,14 +54,10 @@ namespace {
 
 void check(const ProgramAnalysis& analysis, Reporter& reporter) {
     const Program& program = analysis.program();
-    report_under_compensation(
-        analysis, "change", reporter, [&](const BlockView& block) -> std::optional<EffectId> {
-            for (EffectId id = block.effects.first; id < block.effects.first + block.effects.count; ++id) {
-                const auto* change = std::get_if<ToolChange>(&program.effects[id].what);
-                if (change != nullptr && change->kind == ToolChange::Kind::change) return id;
-            }
-            return std::nullopt;
-        });
+    report_under_compensation(analysis, "change", reporter, [&](EffectId id) {
+        const auto* change = std::get_if<ToolChange>(&program.effects[id].what);
+        return change != nullptr && change->kind == ToolChange::Kind::change;
+    });
 }
 
 } // namespace

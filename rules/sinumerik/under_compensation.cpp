@@ -1,18 +1,21 @@
 //! Asks what is in force at each block that holds what is wanted.
 #include "rules/sinumerik/under_compensation.hpp"
 
+#include "analyzer/program/block_view.hpp"
 #include "analyzer/program/tables.hpp"
 #include "analyzer/queries/modal/left_active.hpp"
 #include "analyzer/queries/modal/modes_at.hpp"
 #include "rules/path.hpp"
 #include "rules/trace.hpp"
 
+#include <algorithm>
+#include <ranges>
 #include <set>
 
 namespace maclint::rules {
 
 void report_under_compensation(const ProgramAnalysis& analysis, std::string_view message, Reporter& reporter,
-                               const std::function<std::optional<EffectId>(const BlockView&)>& wanted) {
+                               const std::function<bool(EffectId)>& wanted) {
     const Program& program = analysis.program();
     const auto group = analysis.control().group_with(ModalRole::cutter_compensation);
     if (!group) return;
@@ -21,8 +24,9 @@ void report_under_compensation(const ProgramAnalysis& analysis, std::string_view
     queries::Lasting lasting(analysis);
     std::set<Offset> reported; // blocks that begin it: one finding for each
     for_each_block_with_effects(program, [&](const BlockView& block) {
-        const auto found = wanted(block);
-        if (!found) return;
+        const auto effects = std::views::iota(block.effects.first, block.effects.first + block.effects.count);
+        const auto found = std::ranges::find_if(effects, wanted);
+        if (found == effects.end()) return;
         const queries::Modes modes = modes_at(block).with_words(*group);
         if (modes.unknown) return;
         const flow::NodeId node = *analysis.graph().node_of(*found);

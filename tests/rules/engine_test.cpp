@@ -165,6 +165,17 @@ TEST_F(EngineTest, FilesOfDefinitionsGiveNamesToTheProgramsByThem) {
     EXPECT_THAT(places(engine.analyse(snapshot({"A.MPF"}))), ElementsAre("mill/A.MPF:2 MAC402"));
 }
 
+TEST_F(EngineTest, MacrosOfFilesOfDefinitionsLeaveModesWhereTheyOnlySwitch) {
+    folder.write("A.MPF", "G54 G17\nTRAORI\nG1 X5 F1000\nCHIPS_AWAY\nM30\n");
+    const auto left_with = [&](const std::string& macro) {
+        folder.write("SHOP.DEF", "DEF CHAN REAL SHOP_WIDTH\nDEFINE CHIPS_AWAY AS " + macro + "\nM30\n");
+        return places(engine.analyse(snapshot({"A.MPF"})));
+    };
+    EXPECT_THAT(left_with("M9 M28"), ElementsAre("A.MPF:2 MAC502"));
+    EXPECT_THAT(left_with("M9 TRAFOOF"), IsEmpty());
+    EXPECT_THAT(left_with("M30"), IsEmpty()); // it may end the program before
+}
+
 TEST_F(EngineTest, AComputedCallInTheFolderLeavesOpenWhatIsPassed) {
     folder.write(".maclint.json", R"({"complete": true})");
     folder.write("O1.nc", "O1\nG65P2A1.\nM30\n");

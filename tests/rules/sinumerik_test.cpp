@@ -439,6 +439,30 @@ TEST(SinumerikAxes, MoveByPosEachOnce) {
     EXPECT_THAT(findings("MAC559", "POS[X]=10 POS[Y]=20 FA[X]=100\nM30\n"), IsEmpty());
 }
 
+TEST(SinumerikMacros, LeaveModesWhereTheyOnlySwitch) {
+    const auto left = [](const std::string& macro) {
+        return findings("MAC502", "DEFINE MIST AS " + macro + "\nG54 G17\nTRAORI\nG1 X5 F1000\nMIST\nM30\n");
+    };
+    EXPECT_THAT(left("M7 H12"), SizeIs(1));
+    for (const char* macro : {"G40", "M6", "M17", "TRAFOOF", "M7 G0"})
+        EXPECT_THAT(left(macro), IsEmpty()) << macro;
+}
+
+TEST(SinumerikMachines, BeginWithTheirCodes) {
+    const auto at_start = [](std::string_view control, ModalRole role) {
+        const ControlModel& model = *find_control(control);
+        const GroupId group = *model.group_with(role);
+        const auto code = model.groups[group].reset;
+        return code ? model.spell(group, *code) : "";
+    };
+    EXPECT_EQ(at_start("sinumerik", ModalRole::plane), "");
+    EXPECT_EQ(at_start("sinumerik-mill", ModalRole::plane), "G17");
+    EXPECT_EQ(at_start("sinumerik-lathe", ModalRole::plane), "G18");
+    EXPECT_EQ(at_start("sinumerik-mill", ModalRole::feed_mode), "G94");
+    EXPECT_EQ(at_start("sinumerik-lathe", ModalRole::feed_mode), "G95");
+    EXPECT_EQ(at_start("sinumerik", ModalRole::cutter_compensation), "G40");
+}
+
 TEST(SinumerikMoves, CutUnderAFeed) {
     const auto cut = [](const std::string& blocks) {
         return findings("MAC553", "G17 G90 G54\nT1 D1\nM6\nS500 M3\nG0 X0 Y0 Z2\n" + blocks + "M30\n");

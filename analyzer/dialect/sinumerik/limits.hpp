@@ -1,4 +1,5 @@
-//! Counts and bounds of the language. What no document confirms is marked T: no message rests on it.
+//! Counts and bounds of the language. What no document confirms is marked T: what rests on
+//! it is a warning, and says so.
 #pragma once
 
 #include <cstddef>

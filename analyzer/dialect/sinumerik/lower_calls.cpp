@@ -25,7 +25,7 @@ VariableType kind_of_type(std::string_view name) {
 /// spindle: `M9 M28`.
 bool only_switches(std::string_view capitals) {
     constexpr std::string_view blanks = " \t";
-    constexpr double of_program[] = {0, 1, 2, 3, 4, 5, 6, 17, 19, 30, 70};
+    constexpr double of_program[] = {0, 1, 2, 3, 4, 5, 6, 17, 19, 30, 70}; // M3 to M5, M19, M70: spindle [T]
     bool any = false;
     while (!capitals.empty()) {
         const std::size_t end = std::min(capitals.find_first_of(blanks), capitals.size());

@@ -25,20 +25,38 @@ const BroughtCycle* cycle_called(const ProgramAnalysis& analysis, EffectId effec
     return cycle == cycles.end() ? nullptr : &*cycle;
 }
 
-std::optional<double> number_passed(const Program& program, const Call& call, const BroughtCycle& cycle,
-                                    std::string_view parameter) {
+namespace {
+
+/// The argument that stands there as the parameter, nullptr where it is left out; nothing where no place is
+/// known for it, or the call has more places than the list.
+std::optional<const Argument*> argument_for(const Program& program, const Call& call,
+                                            const BroughtCycle& cycle, std::string_view parameter) {
     const auto named = std::ranges::find(cycle.parameters, parameter);
     if (named == cycle.parameters.end()) return std::nullopt;
     const auto place = static_cast<std::uint32_t>(named - cycle.parameters.begin());
-    std::optional<double> number;
+    const Argument* found = nullptr;
     for (const Argument& given : program.arguments_of(call)) {
         const auto* position = std::get_if<ArgumentPosition>(&given.given);
-        if (position == nullptr) continue;
-        if (position->number >= cycle.parameters.size()) return std::nullopt;
-        const auto* literal = std::get_if<Literal>(&program.expressions[given.value].node);
-        if (position->number == place && literal != nullptr) number = literal->value;
+        if (position == nullptr || position->number >= cycle.parameters.size()) return std::nullopt;
+        if (position->number == place) found = &given;
     }
-    return number;
+    return found;
+}
+
+} // namespace
+
+std::optional<double> number_passed(const Program& program, const Call& call, const BroughtCycle& cycle,
+                                    std::string_view parameter) {
+    const Argument* given = argument_for(program, call, cycle, parameter).value_or(nullptr);
+    const auto* literal =
+        given == nullptr ? nullptr : std::get_if<Literal>(&program.expressions[given->value].node);
+    return literal == nullptr ? std::nullopt : std::optional(literal->value);
+}
+
+bool is_left_out(const Program& program, const Call& call, const BroughtCycle& cycle,
+                 std::string_view parameter) {
+    return !program.arguments_of(call).empty() &&
+           argument_for(program, call, cycle, parameter) == std::optional<const Argument*>(nullptr);
 }
 
 } // namespace maclint::queries

@@ -17,5 +17,8 @@ namespace maclint::queries {
 /// diameter.
 [[nodiscard]] std::optional<double> number_passed(const Program& program, const Call& call,
                                                   const BroughtCycle& cycle, std::string_view parameter);
+/// Whether the call has arguments and leaves that one out; false where number_passed() knows no place for it.
+[[nodiscard]] bool is_left_out(const Program& program, const Call& call, const BroughtCycle& cycle,
+                               std::string_view parameter);
 
 } // namespace maclint::queries
