@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <array>
 #include <charconv>
+#include <cmath>
 #include <cstddef>
 #include <optional>
 #include <utility>
@@ -112,6 +113,11 @@ std::string number_word(double number) {
     auto written = std::to_chars(digits.data(), last, number, std::chars_format::fixed); // 200000, no 2e+05
     if (written.ec != std::errc{}) written = std::to_chars(digits.data(), last, number);
     return {digits.data(), written.ec == std::errc{} ? written.ptr : digits.data()};
+}
+
+std::string length_word(double length) {
+    constexpr double steps = 10'000; // in a millimetre
+    return number_word(std::round(length * steps) / steps);
 }
 
 std::string line_number(const ProgramFile& file, Offset offset) {

@@ -41,6 +41,8 @@ namespace maclint {
 
 /// A number as a word of a message: "0.5", "12".
 [[nodiscard]] std::string number_word(double number);
+/// A calculated length, in mm or inches, to four decimals: "7.0711".
+[[nodiscard]] std::string length_word(double length);
 
 /// 1-based line of a byte, as a word of a message.
 [[nodiscard]] std::string line_number(const ProgramFile& file, Offset offset);

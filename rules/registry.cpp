@@ -312,6 +312,7 @@
     RULE(name_is_taken)                          /* SIN114 */ \
     RULE(text_too_long)                          /* SIN115 */ \
     RULE(block_too_long)                         /* SIN116 */ \
+    RULE(unknown_g_code)                         /* SIN117 */ \
     RULE(too_many_functions)                     /* SIN120 */ \
     RULE(malformed_case)                         /* SIN123 */ \
     RULE(split_declaration)                      /* SIN124 */ \
@@ -341,6 +342,7 @@
     RULE(tool_change_under_compensation)         /* SIN502 */ \
     RULE(frame_replaces)                         /* SIN504 */ \
     RULE(position_as_distance)                   /* SIN505 */ \
+    RULE(tapping_without_position)               /* SIN506 */ \
     RULE(action_on_local_variable)               /* SIN601 */ \
     RULE(action_id)                              /* SIN602 */ \
     RULE(action_left)                            /* SIN603 */

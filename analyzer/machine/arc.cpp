@@ -35,6 +35,7 @@ class Reader {
 
   private:
     [[nodiscard]] bool is_circle() const;
+    [[nodiscard]] bool lacks_centre() const;
     [[nodiscard]] bool has_end(std::size_t axis) const {
         return has(machine_.axes[axis]) || has(machine_.increments[axis]);
     }
@@ -190,8 +191,20 @@ Arc Reader::by_centre(const Pair& way, std::size_t outside) const {
     return arc;
 }
 
+/// Whether the block says that it is an arc and where it ends, but nothing of its centre. Other controls go
+/// straight then.
+bool Reader::lacks_centre() const {
+    constexpr double clockwise = 2, counterclockwise = 3;
+    const bool says_it = step_.words.has_g(clockwise) || step_.words.has_g(counterclockwise);
+    return !machine_.radius_address.empty() && says_it && !has(machine_.radius) && !has_centre() &&
+           !step_.words.has_other_target() && (has_end(x_axis) || has_end(y_axis) || has_end(z_axis));
+}
+
 std::optional<Arc> Reader::read() const {
-    if (!is_circle() || has(machine_.radius) == has_centre()) return std::nullopt;
+    if (!is_circle()) return std::nullopt;
+    if (lacks_centre())
+        return Arc{.fault = ArcFault::no_centre, .letters = std::string(machine_.radius_address)};
+    if (has(machine_.radius) == has_centre()) return std::nullopt;
     for (const char letter : machine_.centres)
         if (!can_be_read(letter)) return std::nullopt;
     if (!can_be_read(machine_.radius)) return std::nullopt;

@@ -17,6 +17,7 @@ enum class ArcFault : std::uint8_t {
     zero_radius,     ///< R0
     centre_at_start, ///< I0 J0
     nothing_moves,   ///< it ends where it begins, and its radius says no more
+    no_centre,       ///< neither a centre nor a radius, where nothing else can say where it is
     other_plane,     ///< a centre letter of an axis outside its plane
 };
 
@@ -28,7 +29,7 @@ struct Arc {
     char letter = 0;             ///< of the word that is at fault: 'R', 'K'
     bool leaves_plane = false;   ///< its end names the axis outside its plane
     bool plane_of_start = false; ///< nobody has said the plane: it is the one in which mills begin
-    std::string letters = {};    ///< of a centre in its plane: "I and J"
+    std::string letters = {};    ///< of a centre in its plane: "I and J"; of a radius, where nothing is given
 };
 
 /// The circle of a block; nothing where it asks for none, or nobody can say what circle that is.

@@ -118,6 +118,7 @@ void States::run_calls(const flow::Node& node, State& state) const {
             });
         if (const auto* call = std::get_if<Call>(&what)) {
             const Left* left = left_by_call_(id);
+            if (left != nullptr && left->changes_nothing) continue;
             if (left == nullptr && program_->control->calls[call->kind].brought_by_control) {
                 state.forget_position();
                 state.of(ModalRole::feed) = Known::nothing();

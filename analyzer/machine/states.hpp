@@ -16,6 +16,8 @@ struct Left {
     State state; ///< not reached: it comes back to nobody
     /// The first block that cuts while the spindle, the feed is as the caller left it.
     std::optional<Span> cuts_with_spindle, cuts_with_feed;
+    bool changes_nothing =
+        false; ///< no program, but a word that only switches something: `state` says nothing
 };
 
 /// What a called program leaves; nullptr: nobody has it.

@@ -1,6 +1,7 @@
 //! Questions about one program that need graph and data flow together.
 #include "analyzer/workspace/program_analysis.hpp"
 
+#include "analyzer/dialect/ascii.hpp"
 #include "analyzer/machine/states.hpp"
 #include "analyzer/machine/switch_states.hpp"
 #include "analyzer/program/tables.hpp"
@@ -8,6 +9,7 @@
 #include <algorithm>
 #include <iterator>
 #include <ranges>
+#include <variant>
 
 namespace maclint {
 
@@ -34,6 +36,16 @@ const dataflow::Liveness& ProgramAnalysis::liveness() const {
     });
 }
 
+bool ProgramAnalysis::is_switch(EffectId call) const {
+    const auto& switches = names_elsewhere().switches;
+    if (switches == nullptr || switches->empty()) return false;
+    const CallSite* site = call_at(call);
+    if (site != nullptr && site->target) return false;
+    const auto* made = std::get_if<Call>(&program_->effects[call].what);
+    const Text* name = made == nullptr ? nullptr : std::get_if<Text>(&made->program);
+    return name != nullptr && switches->contains(in_capitals(program_->slice(name->characters)));
+}
+
 const ProgramAnalysis* ProgramAnalysis::followed(const CallSite* site) const {
     if (site == nullptr || !site->target || site->in_cycle) return nullptr;
     const ProgramAnalysis& called = workspace_->programs()[*site->target];
@@ -44,8 +56,9 @@ const machine::States& ProgramAnalysis::machine() const {
     return *machine_.get([this] {
         return std::make_unique<const machine::States>(
             *program_, graph_, [this](EffectId call) -> const machine::Left* {
-                const CallSite* site = call_at(call);
-                const ProgramAnalysis* called = followed(site);
+                static const machine::Left nothing{{}, {}, {}, true};
+                if (is_switch(call)) return &nothing;
+                const ProgramAnalysis* called = followed(call_at(call));
                 return called == nullptr ? nullptr : &called->machine().left();
             });
     });

@@ -31,16 +31,6 @@ namespace {
 constexpr dataflow::FactSet own_facts =
     dataflow::facts<dataflow::Read, dataflow::Store, dataflow::Clobber, dataflow::CallMade>();
 
-/// Whether the call names no program, but a word of a file of definitions that only switches something.
-bool is_switch(const ProgramAnalysis& analysis, EffectId call) {
-    const auto& switches = analysis.names_elsewhere().switches;
-    if (switches == nullptr || switches->empty()) return false;
-    const Program& program = analysis.program();
-    const auto* made = std::get_if<Call>(&program.effects[call].what);
-    const Text* name = made == nullptr ? nullptr : std::get_if<Text>(&made->program);
-    return name != nullptr && switches->contains(in_capitals(program.slice(name->characters)));
-}
-
 } // namespace
 
 class WorkspaceBuilder {
@@ -316,8 +306,7 @@ class WorkspaceBuilder {
         const dataflow::Callees callees = [&analysis, &programs = programs_](EffectId call) {
             static const dataflow::Summary unknown{};
             const CallSite* site = analysis.call_at(call);
-            if ((site == nullptr || !site->target) && is_switch(analysis, call))
-                return dataflow::Callee{unknown, {}, nullptr, true};
+            if (analysis.is_switch(call)) return dataflow::Callee{unknown, {}, nullptr, true};
             // Within a cycle no summary is there yet: its calls count as unknown, whatever the order of work.
             if (site == nullptr || !site->target || site->in_cycle) return dataflow::Callee{unknown, {}};
             const ProgramAnalysis& called = programs[*site->target];

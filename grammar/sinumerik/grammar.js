@@ -112,7 +112,7 @@ module.exports = grammar({
     _unassigned: $ => choice(
       $.parenthesis, $.name, $.indexed_name, $.system_variable, $.function_call, $.string, alias($._signed_name, $.unary)),
     _signed_name: $ => prec(binds.sign, seq(
-      field('operator', $._sign), field('operand', choice($.parenthesis, $.name, $.indexed_name, $.system_variable)))),
+      field('operator', $._sign), field('operand', choice($.parenthesis, $.name, $.indexed_name, $.r_parameter, $.system_variable)))),
 
     empty_word: $ => prec(-1, alias($._letter, $.address)),
     _letter: $ => token(new RegExp(letter)),
@@ -145,10 +145,11 @@ module.exports = grammar({
 
     // What stands behind AS may be any piece of a block; it is read where the name stands.
     macro_definition: $ => seq(keyword('DEFINE'), field('name', choice($.name, $.axis_name)), keyword('AS'), optional(field('body', $.macro_body))),
-    macro_body: $ => /[^;\r\n \t][^;\r\n]*/,
+    // One word, too: else it would be one of the block.
+    macro_body: $ => token(prec(1, /[^;\r\n \t][^;\r\n]*/)),
 
     program_definition: $ => prec.right(seq(
-      keyword('PROC'), field('name', choice($.name, $.program_number)), optional(field('parameters', $.parameter_list)),
+      keyword('PROC'), field('name', choice($.name, $.malformed_name, $.axis_name, $.program_number)), optional(field('parameters', $.parameter_list)),
       repeat(field('attribute', alias($.name, $.attribute))))),
     parameter_list: $ => seq($._open, optional(listOf($.parameter)), ')'),
     parameter: $ => seq(
@@ -210,9 +211,12 @@ module.exports = grammar({
     synchronised_action: $ => prec.right(seq(
       optional(seq(
         field('frequency', alias(anyOf(['WHEN', 'WHENEVER', 'EVERY', 'FROM']), $.frequency)),
-        optional(field('units', $.literal_word)), field('condition', $._expression))),
+        optional(field('units', alias($._units, $.literal_word))), field('condition', $._expression))),
       keyword('DO'), repeat(field('action', $._any_word)),
       optional(seq(keyword('ELSE'), repeat(field('alternative', $._any_word)))))),
+
+    // `G71`; an R parameter there begins the condition.
+    _units: $ => /[Gg][ \t&]*[0-9]+/,
 
     modal_call: $ => prec.right(seq(keyword('MCALL'), optional(field('program', choice($.name, $.call, $.program_number))))),
     indirect_call: $ => prec.right(seq(

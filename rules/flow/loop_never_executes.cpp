@@ -81,7 +81,7 @@ const dataflow::Loop* loop_that_left(const ProgramAnalysis& analysis, const data
     const Program& program = analysis.program();
     const auto found = std::ranges::find_if(analysis.loops(), [&](const dataflow::Loop& loop) {
         const flow::Region* region = queries::region_of(analysis, loop);
-        return region != nullptr && region->close && program.effects[*region->close].span.begin < before &&
+        return region != nullptr && region->close && program.effects[*region->close].span.end <= before &&
                loop.holds(step.node);
     });
     return found == analysis.loops().end() ? nullptr : &*found;

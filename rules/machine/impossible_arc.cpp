@@ -5,7 +5,6 @@
 #include "rules/machine_check.hpp"
 #include "rules/path.hpp"
 
-#include <cmath>
 
 namespace maclint::rules {
 
@@ -35,6 +34,8 @@ extern const Rule impossible_arc{
                   "Write one of them in both places, or check that they are."},
                  {"never", "No circle: '{0}' begins and ends at different distances from its centre{1}.",
                   "Correct its end, or the centre."},
+                 {"no-centre", "Arc without a centre: '{0}' has neither a centre nor a radius.",
+                  "Write the centre or {1}=, or G1 where a straight line is meant."},
                  {"other-plane",
                   "Centre of another plane: '{0}' stands in an arc under {1}, whose centre is in {2}.",
                   "Write {2}, or choose the plane before."}},
@@ -87,11 +88,6 @@ M30
 
 namespace {
 
-std::string length_word(double length) {
-    constexpr double digits = 10'000;
-    return number_word(std::round(length * digits) / digits);
-}
-
 void check(const MachineStep& at, Reporter& reporter) {
     report_wrong_sizes(at, reporter);
     const machine::Arc* arc = at.habits.wrong_arc(at.step.block.span.begin);
@@ -112,6 +108,7 @@ void check(const MachineStep& at, Reporter& reporter) {
         return;
     case zero_radius: reporter.report(at.cause(), word, "zero", {block, arc->letters}); return;
     case centre_at_start: reporter.report(at.cause(), at.block(), "at-start", {block, arc->letters}); return;
+    case no_centre: reporter.report(at.cause(), at.block(), "no-centre", {block, arc->letters}); return;
     case other_plane: break;
     }
     const machine::Known& plane = at.after().of(ModalRole::plane);

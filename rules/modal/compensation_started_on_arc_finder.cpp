@@ -50,7 +50,7 @@ class Changes {
         const Stretch stretch{analysis_.graph().nodes[node].item, block.span};
         if (!states_it && !queries::modal_move_in(analysis_, stretch).relies) return std::nullopt;
         const queries::Modes before = modes.before(compensation_);
-        auto kind = kind_of(*code, before);
+        auto kind = kind_of(*code, before, states_it);
         if (!kind) return std::nullopt;
         if (!in_arc) {
             if (kind != CompensationChange::Kind::over) return std::nullopt;
@@ -70,11 +70,31 @@ class Changes {
                });
     }
 
-    [[nodiscard]] std::optional<CompensationChange::Kind> kind_of(double code,
-                                                                  const queries::Modes& before) const {
+    /// Whether the program finds compensation off: who switches it off himself lets nobody hand it to him.
+    [[nodiscard]] bool begins_with_it(const queries::Modes& before) {
+        const double off = *control_.groups[compensation_].cancel;
+        const auto is_off_or_callers = [&](const queries::Mode& mode) {
+            return mode.code ? *mode.code == off : mode.set_by == queries::Mode::SetBy::nobody;
+        };
+        return !before.unknown && !before.possible.empty() &&
+               std::ranges::all_of(before.possible, is_off_or_callers) && switches_off();
+    }
+
+    [[nodiscard]] bool switches_off() {
+        if (switches_off_) return *switches_off_;
+        switches_off_ = false;
+        for_each_block_that_sets(analysis_.program(), compensation_, [&](const BlockView& block) {
+            *switches_off_ |= only_code(block, compensation_) == control_.groups[compensation_].cancel;
+        });
+        return *switches_off_;
+    }
+
+    [[nodiscard]] std::optional<CompensationChange::Kind> kind_of(double code, const queries::Modes& before,
+                                                                  bool states_it) {
         using Kind = CompensationChange::Kind;
         const double off = *control_.groups[compensation_].cancel;
-        if (before.sure_code() == off) return code == off ? std::nullopt : std::optional(Kind::on);
+        if (before.sure_code() == off || (states_it && begins_with_it(before)))
+            return code == off ? std::nullopt : std::optional(Kind::on);
         std::vector<double> on;
         for (const ModalMember& member : control_.groups[compensation_].members)
             if (member.number != off && member.number != code) on.push_back(member.number);
@@ -86,6 +106,7 @@ class Changes {
     const ControlModel& control_;
     GroupId compensation_, motion_;
     queries::ModesAt modes_at_;
+    std::optional<bool> switches_off_; ///< in some block; nothing: not looked for
 };
 
 } // namespace

@@ -8,7 +8,6 @@
 #include "rules/word_check.hpp"
 
 #include <algorithm>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -75,45 +74,28 @@ END
 
 namespace {
 
-/// A code of which a block may hold one of its kind.
-struct Member {
-    const Word* word;
-    double code;
-    ExclusiveKind kind;
-};
-
-std::optional<Member> member(const ControlModel& control, const Word& word) {
-    const auto* code = std::get_if<Literal>(&word.value);
-    if (code == nullptr || (word.address != "G" && word.address != "M")) return std::nullopt;
-    const auto kind = exclusive_kind(control, word.address.front(), code->value);
-    return kind ? std::optional(Member{&word, code->value, *kind}) : std::nullopt;
-}
-
-void report(const queries::WordsOfBlock& block, const Member& before, const Member& found,
+void report(const queries::WordsOfBlock& block, const ExclusiveCode& before, const ExclusiveCode& found,
             Reporter& reporter) {
     const Program& program = block.analysis.program();
     const bool forbidden = block.analysis.control().contradiction == Contradiction::forbidden;
-    Finding& finding = reporter.report(
-        {block.analysis, found.word->span}, found.word->span, forbidden ? "forbidden" : "plain",
-        {quoted(program, before.word->span), quoted(program, found.word->span), std::string(found.kind.name),
-         reporter.alarm_words(block.analysis.file())});
-    finding.related.push_back({block.analysis.source(), before.word->span, "the other one stands here"});
+    Finding& finding =
+        reporter.report({block.analysis, found.span}, found.span, forbidden ? "forbidden" : "plain",
+                        {quoted(program, before.span), quoted(program, found.span),
+                         std::string(found.kind.name), reporter.alarm_words(block.analysis.file())});
+    finding.related.push_back({block.analysis.source(), before.span, "the other one stands here"});
 }
 
 void check(const queries::WordsOfBlock& block, Reporter& reporter) {
-    const ControlModel& control = block.analysis.control();
-    std::vector<Member> members; // one of each kind
-    for (const Word& word : block.words) {
-        const auto found = member(control, word);
-        if (!found) continue;
+    std::vector<ExclusiveCode> first; // one of each kind
+    for (const ExclusiveCode& found : exclusive_codes_in(block)) {
         const auto before = std::ranges::find_if(
-            members, [&](const Member& known) { return known.kind.row == found->kind.row; });
-        if (before == members.end()) {
-            members.push_back(*found);
+            first, [&](const ExclusiveCode& known) { return known.kind.row == found.kind.row; });
+        if (before == first.end()) {
+            first.push_back(found);
             continue;
         }
-        if (before->code == found->code) continue; // the same code once more changes nothing
-        if (!queries::has_alternatives(block)) report(block, *before, *found, reporter);
+        if (before->code == found.code) continue; // the same code once more changes nothing
+        if (!queries::has_alternatives(block)) report(block, *before, found, reporter);
         return;
     }
 }

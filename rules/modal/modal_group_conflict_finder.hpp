@@ -2,10 +2,11 @@
 #pragma once
 
 #include "analyzer/program/tables.hpp"
+#include "analyzer/queries/words/block_words.hpp"
 
 #include <cstddef>
-#include <optional>
 #include <string_view>
+#include <vector>
 
 namespace maclint::rules {
 
@@ -15,8 +16,14 @@ struct ExclusiveKind {
     std::string_view name;
 };
 
-/// The kind of a code: the row of the control's table or, where it has none, the modal group of a G code.
-[[nodiscard]] std::optional<ExclusiveKind> exclusive_kind(const ControlModel& control, char letter,
-                                                          double code);
+struct ExclusiveCode {
+    Span span;
+    double code; ///< its number in the group, where the group's codes are names
+    ExclusiveKind kind;
+};
+
+/// The codes of a block that exclude others, in text order. Their kind is the row of the control's table or,
+/// where it has none, the modal group.
+[[nodiscard]] std::vector<ExclusiveCode> exclusive_codes_in(const queries::WordsOfBlock& block);
 
 } // namespace maclint::rules

@@ -1,7 +1,11 @@
 //! SIN202: a name that is defined nowhere.
+#include "analyzer/queries/calls/given_arguments.hpp"
 #include "analyzer/queries/names/unknown_names.hpp"
 #include "rules/path.hpp"
 #include "rules/rule.hpp"
+
+#include <set>
+#include <string>
 
 namespace maclint::rules {
 
@@ -44,9 +48,25 @@ M30
 
 namespace {
 
+/// Beginnings of arguments for parameters that take an axis: the machine names its axes and spindles.
+std::set<Offset> arguments_for_axes(const ProgramAnalysis& analysis) {
+    std::set<Offset> found;
+    queries::for_each_known_call(analysis, [&](const CallSite&, const Call& call, const auto& called) {
+        const auto& formals = called.program().formals;
+        for (std::size_t i = 0; i < formals.size(); ++i)
+            if (const Argument* argument = queries::argument_at(analysis.program(), call, i);
+                argument != nullptr && formals[i].type == "AXIS")
+                found.insert(argument->span.begin);
+    });
+    return found;
+}
+
 void check(const ProgramAnalysis& analysis, Reporter& reporter) {
+    if (analysis.program().unknown_names.empty()) return;
+    const std::set<Offset> axes = arguments_for_axes(analysis);
     for (const UnknownName& name : analysis.program().unknown_names)
-        if (queries::is_undefined(analysis, name))
+        if (queries::is_undefined(analysis, name) && !queries::is_g_code(name) &&
+            !axes.contains(name.span.begin))
             reporter.report({analysis.file(), name.span}, name.span, "plain",
                             {std::string(analysis.program().slice(name.span))});
 }

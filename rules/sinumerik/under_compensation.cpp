@@ -14,6 +14,18 @@
 
 namespace maclint::rules {
 
+void report_stretch(const ProgramAnalysis& analysis, std::string_view message, Reporter& reporter,
+                    const CompensationStretch& stretch) {
+    const ControlModel& control = analysis.control();
+    const auto group = *control.group_with(ModalRole::cutter_compensation);
+    Finding& finding = reporter.report(
+        {analysis, stretch.there}, stretch.there, message,
+        {control.spell(group, stretch.code), line_number(analysis.file(), stretch.begun.begin),
+         quoted(analysis.program(), stretch.there), control.spell(group, *control.groups[group].cancel)});
+    trace(finding, analysis, stretch.begun_at, {analysis.source(), stretch.begun, "compensation begins here"},
+          stretch.at, "it is still in force here");
+}
+
 void report_under_compensation(const ProgramAnalysis& analysis, std::string_view message, Reporter& reporter,
                                const std::function<bool(EffectId)>& wanted) {
     const Program& program = analysis.program();
@@ -34,13 +46,8 @@ void report_under_compensation(const ProgramAnalysis& analysis, std::string_view
             if (mode.set_by != queries::Mode::SetBy::word || !mode.code || mode.code == off) continue;
             const Span begun = queries::span_of(analysis, mode);
             if (!lasting.until(node, *group, mode.node) || !reported.insert(begun.begin).second) continue;
-            const Span there = program.effects[*found].span;
-            Finding& finding = reporter.report(
-                {analysis, *found}, there, message,
-                {analysis.control().spell(*group, *mode.code), line_number(analysis.file(), begun.begin),
-                 quoted(program, there), analysis.control().spell(*group, *off)});
-            trace(finding, analysis, mode.node, {analysis.source(), begun, "compensation begins here"}, node,
-                  "it is still in force here");
+            report_stretch(analysis, message, reporter,
+                           {*mode.code, begun, mode.node, program.effects[*found].span, node});
             return;
         }
     });

@@ -176,6 +176,30 @@ TEST_F(EngineTest, MacrosOfFilesOfDefinitionsLeaveModesWhereTheyOnlySwitch) {
     EXPECT_THAT(left_with("M30"), IsEmpty()); // it may end the program before
 }
 
+TEST_F(EngineTest, MacrosThatOnlySwitchLeaveThePlaneAndTheTool) {
+    folder.write("A.MPF", "G17 G90 G54\nG0 X0 Y0\nCHIPS_AWAY\nG1 F500 X10\nG3 X10 Y20 CR=8\nM30\n");
+    folder.write("SHOP.DEF", "DEFINE CHIPS_AWAY AS M27\nM17\n");
+    EXPECT_THAT(places(engine.analyse(snapshot({"A.MPF"}))), ElementsAre("A.MPF:5 MAC522"));
+    folder.write("SHOP.DEF", "DEFINE CHIPS_AWAY AS G91 G1 X5\nM17\n");
+    EXPECT_THAT(places(engine.analyse(snapshot({"A.MPF"}))), IsEmpty());
+}
+
+TEST_F(EngineTest, AxesThatAreArgumentsTheMachineNames) {
+    folder.write(".maclint.json", R"({"complete": true})");
+    settings = cli::Settings({});
+    folder.write("A.MPF", "TRAVEL(AX1,20)\nTRAVEL(AX2,AX3)\nM30\n");
+    folder.write("TRAVEL.SPF", "PROC TRAVEL(AXIS MOVED, REAL WAY)\nG91 G0 AX[MOVED]=WAY\nM17\n");
+    EXPECT_THAT(places(engine.analyse(snapshot({"A.MPF"}))), ElementsAre("A.MPF:2 SIN202"));
+}
+
+TEST_F(EngineTest, ACounterThatNothingDefinesIsTold) {
+    folder.write(".maclint.json", R"({"complete": true})");
+    settings = cli::Settings({});
+    folder.write("A.MPF", "FOR SLOT_NO=1 TO 5\nG91 G0 X5\nENDFOR\nM30\n");
+    folder.write("SHOP.DEF", "DEF CHAN REAL SHOP_WIDTH\nM17\n");
+    EXPECT_THAT(places(engine.analyse(snapshot({"A.MPF"}))), ElementsAre("A.MPF:1 SIN202"));
+}
+
 TEST_F(EngineTest, AComputedCallInTheFolderLeavesOpenWhatIsPassed) {
     folder.write(".maclint.json", R"({"complete": true})");
     folder.write("O1.nc", "O1\nG65P2A1.\nM30\n");

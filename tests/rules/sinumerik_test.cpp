@@ -39,6 +39,46 @@ TEST(SinumerikWrongBlocks, EachRaisesItsRule) {
     EXPECT_GT(blocks, 70U);
 }
 
+TEST(SinumerikPrograms, HaveNamesThatAreNoWords) {
+    EXPECT_THAT(findings("SIN113", "PROC G1_VAR SAVE\nG0 X1\nM17\n"), SizeIs(1));
+    EXPECT_THAT(findings("MAC121", "PROC G1_VAR SAVE\nG0 X1\nM17\n"), IsEmpty());
+}
+
+TEST(SinumerikActions, BeginWithAnRParameterOrTheUnits) {
+    EXPECT_THAT(findings("MAC121", "ID=2 WHENEVER R1<$AA_IM[X] DO M8\nG1 X5 F100\nM30\n"), IsEmpty());
+    EXPECT_THAT(findings("MAC121", "ID=2 WHENEVER G710 $AA_IM[X]>5 DO M8\nG1 X5 F100\nM30\n"), IsEmpty());
+}
+
+TEST(SinumerikWords, NeedAnEqualsSignBeforeWhatIsCalculated) {
+    const auto bracketed = findings("SIN105", "G1 X[R1] F100\nM30\n");
+    ASSERT_THAT(bracketed, SizeIs(1));
+    EXPECT_THAT(bracketed.front().message(), HasSubstr("'X=R1'"));
+    EXPECT_THAT(findings("SIN105", "G1 X-R1 F100\nM30\n"), SizeIs(1));
+    EXPECT_THAT(findings("MAC121", "G1 X-R1 F100\nM30\n"), IsEmpty());
+    EXPECT_THAT(findings("SIN105", "POS[X]=5 FA[X]=100\nM30\n"), IsEmpty());
+    const auto radius = findings("SIN105", "G17 G0 X0 Y0\nG2 X10 Y0 R5. F100\nM30\n");
+    ASSERT_THAT(radius, SizeIs(1));
+    EXPECT_THAT(radius.front().message(), HasSubstr("'CR=5.'"));
+    EXPECT_THAT(findings("SIN105", "G291\nG2 X10 Y0 R5. F100\nG290\nM30\n"), IsEmpty());
+    EXPECT_THAT(findings("MAC121", "R5\nM30\n"), SizeIs(1));
+    EXPECT_THAT(findings("SIN105", "G96 S200 LIMS2000\nM30\n"), SizeIs(1));
+    EXPECT_THAT(findings("SIN105", "G0 X5\nLIMS2000\nM30\n"), IsEmpty()); // a program, perhaps
+    EXPECT_THAT(findings("SIN105", "R5=3 G0 X5 CR=R5\nM30\n"), IsEmpty());
+}
+
+TEST(SinumerikTypes, AreThoseOfFunctionsToo) {
+    const std::string begin = "DEF STRING[20] PART_=\"FLANGE_07\"\nDEF INT PART_NO\n";
+    EXPECT_THAT(findings("SIN209", begin + "PART_NO=SUBSTR(PART_,7)\nM30\n"), SizeIs(1));
+    EXPECT_THAT(findings("SIN209", begin + "PART_NO=NUMBER(SUBSTR(PART_,7))\nM30\n"), IsEmpty());
+    EXPECT_THAT(findings("SIN209", begin + "PART_=TOUPPER(PART_)\nM30\n"), IsEmpty());
+}
+
+TEST(SinumerikWords, OfOneGroupContradictEachOtherByNameToo) {
+    EXPECT_THAT(findings("MAC514", "G18 DIAMON DIAMOF\nM30\n"), SizeIs(1));
+    EXPECT_THAT(findings("MAC514", "G1 X5 F100 CFC G641 cfin\nM30\n"), SizeIs(1));
+    EXPECT_THAT(findings("MAC514", "G18 DIAMON G64 SOFT DIAMON\nM30\n"), IsEmpty());
+}
+
 TEST(SinumerikJumps, TakeTheNearestLabelInTheirDirection) {
     EXPECT_THAT(findings("MAC301", "AGAIN: G0 X1\nGOTOF AGAIN\nAGAIN: M30\n"), IsEmpty());
     EXPECT_THAT(findings("MAC301", "AGAIN: G0 X1\nGOTO AGAIN\nM30\n"), IsEmpty());
@@ -172,6 +212,12 @@ TEST(SinumerikMachine, KnowsWhereTheToolIs) {
     EXPECT_THAT(findings("MAC510", start + "G41 G1 X10 F100\nG40 X40\nM30\n"), IsEmpty());
     EXPECT_THAT(findings("SIN502", start + "G41 G1 X10 F100\nM6\nM30\n"), SizeIs(1));
     EXPECT_THAT(findings("SIN502", start + "G41 G1 X10 F100\nG40 X20\nM6\nM30\n"), IsEmpty());
+    const std::string turret = start + "G41 G1 X10 F100\nG0 X90\n";
+    EXPECT_THAT(findings("SIN502", turret + "T=\"FINISH\" D1\nG40\nM30\n"), SizeIs(1));
+    EXPECT_THAT(findings("SIN502", turret + "T3 D1\nG40\nM30\n"), SizeIs(1));
+    EXPECT_THAT(findings("SIN502", turret + "T=\"FINISH\"\nG40\nM30\n"), IsEmpty()); // made ready, perhaps
+    EXPECT_THAT(findings("SIN502", turret + "T=\"FINISH\" D1\nG40 G0 X95\nM6\nM30\n"), IsEmpty());
+    EXPECT_THAT(findings("SIN502", turret + "T=\"FINISH\" D1\nG40 G0 X95\nCHANGE_IT\nM30\n"), IsEmpty());
 }
 
 TEST(SinumerikMachine, CallsCyclesWithoutCompensation) {
@@ -182,6 +228,70 @@ TEST(SinumerikMachine, CallsCyclesWithoutCompensation) {
     EXPECT_THAT(findings("SIN411", "%_N_A_MPF\n" + start + "CYCLE82(5)\nG40 X1\nM30\n" +
                                        "%_N_CYCLE82_SPF\nPROC CYCLE82(REAL DEPTH)\nM17\n"),
                 IsEmpty()); // the shop's own
+}
+
+TEST(SinumerikCycles, ChangeWhatTheirRowsSay) {
+    const std::string arc = "G0 X0 Y0\nG1 F100 X10\nG3 X10 Y20 CR=8\nM30\n";
+    EXPECT_THAT(findings("MAC522", "G17 G90 G54\nCYCLE832(0.05,_ROUGH,1)\n" + arc), SizeIs(1));
+    EXPECT_THAT(findings("MAC522", "G17 G90 G54\nCYCLE800()\n" + arc), SizeIs(1));
+    EXPECT_THAT(findings("MAC522", "G17 G90 G54\nCYCLE977(101,,1)\n" + arc), SizeIs(1));
+    EXPECT_THAT(findings("MAC522", "G17 G90 G54\nCYCLE197(1)\n" + arc), IsEmpty()); // the machine's
+    EXPECT_THAT(findings("MAC522", "G17 G90 G54\nG0 X0 Y0\nCYCLE832()\nG3 X10 Y20 CR=8 F100\nM30\n"),
+                IsEmpty()); // where the tool is then nobody knows
+    EXPECT_THAT(findings("MAC502", "TRANS X5\nG0 X0\nCYCLE800()\nG0 X5\nM30\n"), IsEmpty());
+    EXPECT_THAT(findings("MAC502", "TRANS X5\nG0 X0\nCYCLE832()\nG0 X5\nM30\n"), SizeIs(1));
+    EXPECT_THAT(findings("MAC502", "TRAORI\nG0 X0\nCYCLE832()\nG0 X5\nM30\n"), IsEmpty());
+    EXPECT_THAT(findings("MAC502", "TRAORI\nG0 X0\nCYCLE800()\nG0 X5\nM30\n"), SizeIs(1));
+}
+
+TEST(SinumerikTaps, WantASpindleUnderPositionControl) {
+    const std::string tap = "G331 Z-20 K1.5 S400\nG332 Z5 K1.5\nM30\n";
+    EXPECT_THAT(findings("SIN506", "G17 G54\n; SPOS is missing\n" + tap), SizeIs(1));
+    for (const char* block : {"SPOS=0", "spos=90", "SPOS[2]=0", "SPOSA=0", "M19", "M2=70", "PUT_IT_RIGHT"})
+        EXPECT_THAT(findings("SIN506", "G17 G54\n" + std::string(block) + "\n" + tap), IsEmpty()) << block;
+    EXPECT_THAT(findings("SIN506", "PROC TAP\nG331 Z-20 K1.5 S400\nG332 Z5 K1.5\nM17\n"), IsEmpty());
+}
+
+TEST(SinumerikMachine, WantsACentreOfEachArc) {
+    const std::string start = "G17 G90 G54\nG0 X0 Y0\nG1 X10 F100\n";
+    EXPECT_THAT(findings("MAC522", start + "G2 X20 Y10\nM30\n"), SizeIs(1));
+    for (const char* arc : {"G2 X20 Y10 CR=10", "G2 X20 Y10 J10", "G2 X20 Y10 AR=90", "G2 AP=90 RP=5", "G2",
+                            "CIP X20 Y10 I1=15 J1=2", "CT X20 Y10", "G2 X20 Y0 I=R1", "G2 X20 Y10 I=AC(10)"})
+        EXPECT_THAT(findings("MAC522", start + arc + "\nM30\n"), IsEmpty()) << arc;
+}
+
+TEST(SinumerikMachine, LosesItsPlaceWhereWordsDoNotSayIt) {
+    const std::string start = "G17 G90 G54\nG0 X90 Y20\nG1 Z-2 F100\n";
+    EXPECT_THAT(findings("MAC522", start + "G3 AR=180 I-5 J0\nG3 X78 Y20 CR=1.5\nM30\n"), IsEmpty());
+    EXPECT_THAT(findings("MAC522", start + "G74 X1=0 Y1=0\nG3 X78 Y20 CR=1.5\nM30\n"), IsEmpty());
+    EXPECT_THAT(findings("MAC522", start + "G3 X78 Y20 CR=1.5\nM30\n"), SizeIs(1));
+}
+
+TEST(SinumerikCodes, OfOtherControlsAreTold) {
+    EXPECT_THAT(findings("SIN117", "G43 Z50 H1\nG80\nM30\n"), SizeIs(2));
+    EXPECT_THAT(findings("SIN117", "G43 Z50 H1\nG43 Z20\nM30\n"), IsEmpty()); // the machine may have one
+    EXPECT_THAT(findings("SIN117", "DEFINE G43 AS D1\nDEFINE G80 AS MCALL\nG43 Z50\nG80\nM30\n"), IsEmpty());
+    EXPECT_THAT(findings("SIN117", "G291\nG43 Z50 H1\nG80\nG290\nM30\n"), IsEmpty());
+    EXPECT_THAT(findings("MAC514", "G0 X5 M3 M8 M4\nM30\n"), SizeIs(1));
+    EXPECT_THAT(findings("MAC514", "S500 M3\nG0 X5 M8 M3\nG0 Z=R1 M9 M5\nM30\n"), IsEmpty());
+}
+
+TEST(SinumerikPrograms, BeginWithProc) {
+    EXPECT_THAT(findings("SIN201", "G90\nPROC PART SAVE\nG0 X5\nM17\n"), SizeIs(1));
+    EXPECT_THAT(findings("SIN201", "; a part\nPROC PART SAVE\nG0 X5\nM17\n"), IsEmpty());
+    EXPECT_THAT(findings("SIN113", "PROC A(REAL WIDTH)\nG0 X5\nM17\n"), SizeIs(1));
+}
+
+TEST(SinumerikSlips, AreToldOnceAndByTheirName) {
+    EXPECT_THAT(findings("MAC106", "G0 X8O Y50\nM30\n"), SizeIs(1));
+    EXPECT_THAT(findings("MAC109", "G0 X8O Y50\nM30\n"), IsEmpty());
+    const auto radius = findings("SIN105", "G17 G2 X5 Y5 CR10 F100\nM30\n");
+    ASSERT_THAT(radius, SizeIs(1));
+    EXPECT_THAT(radius.front().message(), HasSubstr("'CR=10'"));
+    EXPECT_THAT(
+        findings("MAC321",
+                 "DEF REAL LEVEL\nREPEAT\nLEVEL=LEVEL+1.5\nG1 Z=LEVEL F200\nUNTIL LEVEL<=-5.5\nM30\n"),
+        IsEmpty()); // MAC320 tells it
 }
 
 TEST(SinumerikCouplings, AreSwitchedOffAgain) {

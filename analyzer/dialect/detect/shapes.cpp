@@ -132,6 +132,10 @@ bool array_element(const Line& line) {
     return code.find(']') != std::string_view::npos && sign != std::string_view::npos && code[sign] == '=';
 }
 
+bool macro_definition(const Line& line) {
+    return line.code().starts_with("DEFINE ") && line.code().find(" AS ") != std::string_view::npos;
+}
+
 bool osp_variable(const Line& line) { return assigns(line.code(), "VC"); }
 
 bool condition_row(const Line& line) {

@@ -33,6 +33,7 @@ bool klartext_line(const Line& line);        ///< `L X+10 R0 FMAX`
 bool ends_in_star(const Line& line);         ///< `N10 G00 X+5 *`
 bool r_parameter(const Line& line);          ///< `R10=`
 bool array_element(const Line& line);        ///< `DEPTH[3]=`
+bool macro_definition(const Line& line);     ///< `DEFINE MIST AS M27`
 bool condition_row(const Line& line);        ///< `E001=10 16 15`
 bool setting(const Line& line);              ///< `$H`, `$120=50`
 bool osp_file_name(const Line& line);        ///< `$PART.MIN%`

@@ -4,6 +4,7 @@
 #include "analyzer/program/language_words.hpp"
 
 #include <cstdint>
+#include <span>
 #include <string_view>
 #include <vector>
 
@@ -15,6 +16,7 @@ enum class CycleUse : std::uint8_t {
     milling,
     turning,
     grinding,
+    measuring,
     contour, ///< names a contour for the next cycle
     setting, ///< turns the frame or sets modes for what follows
     other,
@@ -31,6 +33,17 @@ struct CycleRow {
     std::string_view places_seen;
     std::string_view source; ///< of the parameters
 };
+
+/// What a cycle may change for the blocks behind it.
+struct CycleSettings {
+    std::string_view cycle;
+    std::span<const std::uint8_t> groups; ///< G groups, by their numbers
+    bool frames;                          ///< the programmable frame, which it deletes or adds to
+    bool transformation;                  ///< TRAORI and its like, which it may switch off
+};
+
+/// Nothing for a cycle that leaves all modes as they are, or of which nobody knows.
+[[nodiscard]] const CycleSettings* find_settings(std::string_view capitals);
 
 /// Nothing for a cycle without a row, of which is_cycle_name() may still know.
 [[nodiscard]] const CycleRow* find_cycle(std::string_view capitals);

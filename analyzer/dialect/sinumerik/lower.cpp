@@ -177,7 +177,9 @@ void BlockLowering::note_first_code(std::span<const Node* const> items) {
                kind == Kind::program_definition;
     };
     if (items.empty()) return;
-    if (!open_->first_code.empty() && defines(kind_of(*items.front())))
+    const bool comes_first =
+        defines(kind_of(*items.front())) || kind_of(*items.front()) == Kind::program_definition;
+    if (!open_->first_code.empty() && comes_first)
         report(SyntaxErrorKind::late_definition, span(*items.front()),
                std::string(program_->slice(open_->first_code)));
     const bool has_remark = std::ranges::any_of(items, [](const Node* item) {

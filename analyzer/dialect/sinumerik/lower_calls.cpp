@@ -42,11 +42,11 @@ bool only_switches(std::string_view capitals) {
     return any;
 }
 
-/// A cycle that moves leaves modes and variables as they are; one that sets something may do anything.
+/// A cycle leaves variables as they are, and all modes that it has no settings for. Others that are named so
+/// may do anything: they are the machine's.
 CallKindId kind_of_cycle(std::string_view capitals) {
     const CycleRow* row = find_cycle(capitals);
-    return row == nullptr || row->use == CycleUse::setting || row->use == CycleUse::other ? calls::by_name
-                                                                                          : calls::cycle;
+    return row == nullptr || row->use == CycleUse::other ? calls::by_name : calls::cycle;
 }
 
 } // namespace
@@ -217,14 +217,17 @@ void BlockLowering::lower_named(const Node& name, const Node* arguments, const N
     if (arguments == nullptr && setting_of(capitals)) return lower_code(capitals, here);
     if (variable_named(capitals) != nullptr) return;
     const WordRow* row = find_word(capitals);
-    if (is_cycle_name(capitals)) return call_program(span(name), arguments, kind_of_cycle(capitals), here);
+    if (is_cycle_name(capitals)) {
+        call_program(span(name), arguments, kind_of_cycle(capitals), here);
+        return forget_settings_of(capitals, here);
+    }
     if (row == nullptr) {
         if (arguments == nullptr && is_foreign_loop_word(capitals)) {
             report(SyntaxErrorKind::foreign_keyword, here, "WHILE, FOR or LOOP with the word that ends it");
             return builder_->add_unreadable({{}, {}, true, false}, here);
         }
         if (arguments == nullptr &&
-            (report_letter_o(capitals, here) || report_variable_behind_address(capitals, here) ||
+            (report_letter_o(capitals, here) || report_value_behind_address(capitals, here) ||
              report_slip(capitals, here)))
             return;
         note_misspelt_word(capitals, here);
@@ -236,6 +239,18 @@ void BlockLowering::lower_named(const Node& name, const Node* arguments, const N
         for (const ExpressionId value : values_of(arguments)) evaluate(value, here);
         return;
     }
+}
+
+/// A cycle may have set them otherwise. Frames and transformations it switches off, where there are any.
+void BlockLowering::forget_settings_of(std::string_view cycle, Span here) {
+    const CycleSettings* settings = find_settings(cycle);
+    if (settings == nullptr) return;
+    if (settings->frames && open_->writes_frames) forget_frames(here);
+    std::vector<GroupId> groups;
+    for (const std::uint8_t number : settings->groups)
+        if (const auto group = row_of_g_group(number)) groups.push_back(*group);
+    if (settings->transformation && open_->transforms) groups.push_back(coupling_code("TRAFOOF")->group);
+    for (const GroupId group : groups) effect({SetModal{group, changing("", here)}, here});
 }
 
 /// Variables that stand alone as arguments may be results: READ(STATE, …).
@@ -261,8 +276,10 @@ void BlockLowering::lower_procedure(std::string_view name, const Node* arguments
         for (const ExpressionId value : values)
             if (const auto* load = std::get_if<Load>(&expression(value).node)) in.push_back(load->variable);
     if (!values.empty()) builder_->add_exchange(values, in, whole);
-    if (const auto coupling = coupling_code(name))
+    if (const auto coupling = coupling_code(name)) {
         effect({SetModal{coupling->group, literal(coupling->code, whole)}, whole});
+        open_->transforms |= coupling->group == coupling_code("TRAFOOF")->group;
+    }
     if (name == "STOPRE") effect({Synchronise{}, whole});
     if (name == "CALLPATH" || name == "EXTCALL" || name == "EXECSTRING") call_anything(whole);
 }

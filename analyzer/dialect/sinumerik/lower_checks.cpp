@@ -128,19 +128,25 @@ void BlockLowering::check_token(const Node& node, const Node* parent) {
         report_with(SyntaxErrorKind::remark_without_sign, here, "", remark_remedy(here.begin));
         break;
     case Kind::foreign_comment: report_parentheses(node); break;
+    case Kind::literal_word:
+        if (to_capital(text(node).front()) == 'R') report_radius_of_another_control(node, parent);
+        break;
     case Kind::unassigned_word: report_missing_equals(node); break;
+    case Kind::indexed_command: check_bracketed_value(node); break;
     case Kind::string: check_text(node); break;
     case Kind::binary: check_operands(node); break;
     case Kind::system_variable: check_system_variable(node); break;
     case Kind::empty_word: {
         const bool in_remark =
             node.next_sibling != syntax::no_node && kind_of(tree_->nodes[node.next_sibling]) == Kind::remark;
-        if (!in_remark) report(SyntaxErrorKind::missing_value, here, "a number, or = and a value");
+        if (in_remark || report_letter_o_in_number(node)) break;
+        report(SyntaxErrorKind::missing_value, here, "a number, or = and a value");
         break;
     }
     case Kind::malformed_word: check_number(node); break;
-    case Kind::malformed_name:
-        if (parent == nullptr || kind_of(*parent) != Kind::declarator)
+    case Kind::malformed_name: // that of a variable or a program is looked at with its length
+        if (parent == nullptr ||
+            (kind_of(*parent) != Kind::declarator && kind_of(*parent) != Kind::program_definition))
             report(SyntaxErrorKind::malformed_name, here, "its first two characters are not letters or _");
         break;
     case Kind::declarator: // a parameter may have one letter
@@ -202,6 +208,25 @@ void BlockLowering::report_missing_equals(const Node& word) {
     cure.append("=").append(program_->slice({behind, span(word).end}));
     report_with(SyntaxErrorKind::missing_equals, span(word), std::move(cure),
                 {"Write = behind the address", true, {{{behind, behind}, "="}}});
+}
+
+/// `X[R1]`, as other controls write a value.
+void BlockLowering::check_bracketed_value(const Node& command) {
+    constexpr std::string_view take_values = "XYZABCUVWIJKFS";
+    const Node* element = only_child(command);
+    const Node* address = element == nullptr || kind_of(*element) != Kind::indexed_address
+                              ? nullptr
+                              : child(*element, Field::address);
+    const Node* index = element == nullptr ? nullptr : child(*element, Field::index);
+    if (address == nullptr || index == nullptr || kind_of(*address) != Kind::address) return;
+    const Node* value = only_child(*index);
+    if (value == nullptr || take_values.find(to_capital(text(*address).front())) == std::string_view::npos)
+        return;
+    const Span brackets = span(*index);
+    std::string cure(text(*address));
+    cure.append("=").append(text(*value));
+    report_with(SyntaxErrorKind::missing_equals, span(command), std::move(cure),
+                {"Write = and the value", true, {{first_byte(brackets), "="}, {last_byte(brackets), ""}}});
 }
 
 void BlockLowering::report_colon_in_jump(const Node& label) {

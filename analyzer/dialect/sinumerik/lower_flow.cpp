@@ -41,6 +41,8 @@ void BlockLowering::lower_for(const Node& node) {
     if (counter != nullptr && first != nullptr && last != nullptr) {
         const ExpressionId start = lower_expression(*first);
         store(*counter, start, span(node));
+        if (const auto unknown = open_->unknown.find(upper_text(*counter)); unknown != open_->unknown.end())
+            unknown->second.is_read = true; // the loop asks for it
         const ExpressionId end = lower_expression(*last);
         const auto from = literal_value(start), to = literal_value(end);
         if (from && to && *from > *to) report(SyntaxErrorKind::empty_counting, span(node), "");

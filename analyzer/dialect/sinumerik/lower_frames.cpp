@@ -39,11 +39,13 @@ void BlockLowering::lower_frame(std::string_view name, Span here) {
         for (const GroupId group : frame_groups())
             if (alone || group != code->group) effect({SetModal{group, literal(0, here)}, here});
     if (!alone) effect({SetModal{code->group, literal(1, here)}, here});
+    open_->writes_frames |= !alone;
 }
 
 /// The frame is calculated: `$P_PFRAME=CTRANS(X,10)`.
 void BlockLowering::forget_frames(Span here) {
     for (const GroupId group : frame_groups()) effect({SetModal{group, changing("", here)}, here});
+    open_->writes_frames = true;
 }
 
 /// Beginnings of loops, and what is stored in variables of the program: the first pass begins with the frame.

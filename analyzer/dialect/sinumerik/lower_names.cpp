@@ -2,6 +2,7 @@
 #include "analyzer/dialect/ascii.hpp"
 #include "analyzer/dialect/characters.hpp"
 #include "analyzer/dialect/numbers.hpp"
+#include "analyzer/dialect/sinumerik/functions.hpp"
 #include "analyzer/dialect/sinumerik/g_codes.hpp"
 #include "analyzer/dialect/sinumerik/limits.hpp"
 #include "analyzer/dialect/sinumerik/lowering.hpp"
@@ -241,6 +242,11 @@ std::string_view BlockLowering::type_of_value(const Node& node) const {
     case Kind::string:
     case Kind::concatenation: return text_type;
     case Kind::number: return "REAL";
+    case Kind::function_call: {
+        const Node* name = child(node, Field::function);
+        const FunctionRow* function = name == nullptr ? nullptr : find_function(upper_text(*name));
+        return function != nullptr && function->gives == VariableType::text ? text_type : std::string_view{};
+    }
     case Kind::name: {
         const Variable* variable = variable_named(upper_text(node));
         const Declaration* declared = variable == nullptr ? nullptr : program_->declaration_of(*variable);

@@ -36,17 +36,38 @@ bool BlockLowering::report_letter_o(std::string_view capitals, Span here) {
     return true;
 }
 
-/// `G0 XR1`: the value of an address is a variable, and the = is gone. Alone it may be a program.
-bool BlockLowering::report_variable_behind_address(std::string_view capitals, Span here) {
-    constexpr std::string_view addresses = "XYZABCUVWIJKFS";
-    constexpr std::size_t address_and_r = 2;
-    const bool is_one = capitals.size() > address_and_r &&
-                        addresses.find(capitals[0]) != std::string_view::npos && capitals[1] == 'R' &&
-                        std::ranges::all_of(capitals.substr(address_and_r), is_digit);
-    if (!is_one || words_in_block() < 2) return false;
-    std::string cure(capitals.substr(0, 1));
-    cure.append("=").append(capitals.substr(1));
-    const Offset behind = here.begin + 1;
+/// `X8O`: what stands behind the figure is a word of its own.
+bool BlockLowering::report_letter_o_in_number(const Node& letter) {
+    const Span here = span(letter);
+    const std::string_view before = std::string_view(program_->text).substr(0, here.begin);
+    const auto is_of_number = [](char c) { return is_digit(c) || c == '.' || c == '-' || c == '+'; };
+    const auto address = std::find_if_not(before.rbegin(), before.rend(), is_of_number);
+    const auto length = static_cast<Offset>(address - before.rbegin());
+    const bool is_zero = upper_text(letter) == "O" && length != 0 && is_digit(before.back());
+    if (!is_zero || address == before.rend() || !is_letter(*address)) return false;
+    const Span word{here.begin - length - 1, here.end};
+    std::string meant(program_->slice(word));
+    meant.back() = '0';
+    report(SyntaxErrorKind::letter_o, word, std::move(meant));
+    return true;
+}
+
+/// `G0 XR1`, `G96 S200 LIMS2000`: the = before the value is gone. Alone it may be a program.
+bool BlockLowering::report_value_behind_address(std::string_view capitals, Span here) {
+    if (words_in_block() < 2) return false;
+    constexpr std::string_view addresses = "XYZABCUVWIJKFS", figures = "0123456789";
+    const std::size_t figures_from = capitals.find_last_not_of(figures) + 1;
+    if (figures_from == capitals.size()) return false;
+    const std::string_view name = capitals.substr(0, figures_from);
+    const WordRow* row = find_word(name); // CR10 is CR=10 rather than C=R10
+    const bool is_address = row != nullptr && row->kind == WordKind::address;
+    const bool takes_variable = !is_address && name.size() == 2 && name[1] == 'R' &&
+                                addresses.find(name[0]) != std::string_view::npos;
+    if (!takes_variable && !is_address) return false;
+    const std::size_t address = takes_variable ? 1 : name.size();
+    std::string cure(capitals.substr(0, address));
+    cure.append("=").append(capitals.substr(address));
+    const Offset behind = here.begin + static_cast<Offset>(address);
     report_with(SyntaxErrorKind::missing_equals, here, std::move(cure),
                 {"Write = behind the address", true, {{{behind, behind}, "="}}});
     return true;

@@ -87,6 +87,24 @@ bool BlockLowering::takes_words(const Node& item) const {
     return setting && setting->takes_axes;
 }
 
+/// `G2 X10 Y0 R5`, as other controls write a radius; beside their G81 it is something else.
+void BlockLowering::report_radius_of_another_control(const Node& word, const Node* block) {
+    bool moves = false, is_foreign = false;
+    if (block != nullptr)
+        for_each_child(*block, [&](const Node& item) {
+            if (kind_of(item) != Kind::literal_word && kind_of(item) != Kind::assignment) return;
+            const char letter = to_capital(text(item).front());
+            moves |= axes.find(letter) != std::string_view::npos;
+            if (kind_of(item) == Kind::literal_word && letter == 'G')
+                is_foreign |= !setting_of(code_name(text(item)));
+        });
+    const Span here = span(word);
+    if (!moves || is_foreign) return report_expected(here, "an = and a value behind the R parameter");
+    std::string cure = "CR=";
+    cure.append(text(word).substr(1));
+    report(SyntaxErrorKind::missing_equals, here, std::move(cure));
+}
+
 /// Feed and speed.
 void BlockLowering::set_value(char letter, ExpressionId value, Span here) {
     if (stays_ || (letter != 'F' && letter != 'S')) return;
@@ -99,7 +117,10 @@ void BlockLowering::lower_code(std::string_view name, Span here) {
     if (name == "G290") open_->foreign_language = false;
     if (name == "G291") open_->foreign_language = true;
     const std::optional<SettingOfCode> setting = setting_of(name);
-    if (!setting) return call_anything(here);
+    if (!setting) {
+        if (!open_->macros.contains(name)) builder_->add_unknown_name({std::string(name), here, {}, false});
+        return call_anything(here);
+    }
     moves_ |= setting->moves;
     lower_frame(name, here);
     if (setting->sets) effect({SetModal{setting->sets->group, literal(setting->sets->code, here)}, here});

@@ -87,6 +87,7 @@ class BlockLowering : private TreeLowering {
     void lower_macro_definition(const Node& node);
     void give_name(std::string capitals);
     void define_array(const Node& name, const Node& size, std::string_view type);
+    void forget_settings_of(std::string_view cycle, Span here);
     void lower_named(const Node& name, const Node* arguments, const Node& whole);
     void lower_procedure(std::string_view name, const Node* arguments, Span whole);
     void call_program(Span name, const Node* arguments, CallKindId kind, Span whole);
@@ -98,8 +99,9 @@ class BlockLowering : private TreeLowering {
     [[nodiscard]] std::string_view type_name(const Node& type) const;
 
     // ---- misspelt words of the language (lower_slips.cpp)
+    bool report_letter_o_in_number(const Node& letter);
     bool report_letter_o(std::string_view capitals, Span here);
-    bool report_variable_behind_address(std::string_view capitals, Span here);
+    bool report_value_behind_address(std::string_view capitals, Span here);
     bool report_slip(std::string_view capitals, Span here);
     void note_misspelt_word(std::string_view capitals, Span here);
     bool lower_misspelt_declaration(std::span<const Node* const> items);
@@ -147,6 +149,8 @@ class BlockLowering : private TreeLowering {
     void check_number(const Node& word);
     void file_wide_colon(const Node& label);
     void report_parentheses(const Node& remark);
+    void check_bracketed_value(const Node& command);
+    void report_radius_of_another_control(const Node& word, const Node* block);
     void report_missing_equals(const Node& word);
     void report_colon_in_jump(const Node& label);
     void report_quotes(Span here);

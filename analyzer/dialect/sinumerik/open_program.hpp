@@ -68,6 +68,8 @@ struct OpenProgram {
                                                                                    ///< does not define
     TextSet unread = {};                   ///< names in blocks that cannot be read: they may define them
     std::vector<NamedPlace> repeated = {}; ///< parts of the program that REPEAT names
+    bool writes_frames = false;            ///< some block so far has
+    bool transforms = false;               ///< likewise
     /// From G291 to G290 the blocks are of another language [T].
     bool foreign_language = false;
 };

@@ -4,6 +4,7 @@
 
 #include "analyzer/dialect/sinumerik/tables.hpp"
 
+#include <algorithm>
 #include <cstddef>
 #include <limits>
 #include <string>
@@ -49,6 +50,8 @@ PlainCode plain_g_code(std::size_t code) {
 PlainCode plain_function(std::size_t number) {
     PlainCode row;
     row.kind = syntax::CodeSet::kind_of(1, number);
+    const auto& exclusive = control().exclusive_codes.front().codes; // those of the spindle
+    if (std::ranges::find(exclusive, static_cast<double>(number)) != exclusive.end()) row.exclusive = 1;
     if (acts_on_flow(static_cast<double>(number))) row.traits = syntax::plain_traits::not_plain;
     return row;
 }

@@ -196,10 +196,10 @@ constexpr std::string_view rules_tried[] = {
     "MAC501", "MAC502", "MAC505", "MAC506", "MAC507", "MAC510", "MAC511", "MAC514", "MAC517", "MAC522",
     "MAC553", "MAC558", "MAC559", "MAC570", "MAC601", "MAC702", "MAC703", "MAC704", "MAC728", "SIN104",
     "SIN105", "SIN106", "SIN107", "SIN109", "SIN110", "SIN111", "SIN112", "SIN113", "SIN114", "SIN115",
-    "SIN116", "SIN120", "SIN123", "SIN124", "SIN201", "SIN202", "SIN203", "SIN204", "SIN207", "SIN208",
-    "SIN209", "SIN210", "SIN211", "SIN213", "SIN302", "SIN303", "SIN304", "SIN305", "SIN402", "SIN403",
-    "SIN404", "SIN405", "SIN407", "SIN408", "SIN411", "SIN412", "SIN501", "SIN502", "SIN504", "SIN505",
-    "SIN601", "SIN602", "SIN603",
+    "SIN116", "SIN117", "SIN120", "SIN123", "SIN124", "SIN201", "SIN202", "SIN203", "SIN204", "SIN207",
+    "SIN208", "SIN209", "SIN210", "SIN211", "SIN213", "SIN302", "SIN303", "SIN304", "SIN305", "SIN402",
+    "SIN403", "SIN404", "SIN405", "SIN407", "SIN408", "SIN411", "SIN412", "SIN501", "SIN502", "SIN504",
+    "SIN505", "SIN506", "SIN601", "SIN602", "SIN603",
 };
 static_assert(std::ranges::is_sorted(rules_tried));
 
@@ -224,6 +224,7 @@ ControlModel make(std::string_view name, std::string_view description, std::opti
     // Axes, F, S, T, D stand once [T]; POS and POSA once for each axis, which their address does not say.
     control.repeatable = {"G", "H", "M", "POS", "POSA"};
     control.contradiction = Contradiction::forbidden;
+    control.exclusive_codes = {{"spindle", 'M', {3, 4, 5}, "MD: alarm 14760"}};
     // How deep loops may stand in each other no public page tells [language.md 11.1].
     control.limits = {.macro_calls = 0,
                       .subprogram_calls = 15,

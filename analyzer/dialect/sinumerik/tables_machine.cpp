@@ -14,11 +14,12 @@ constexpr std::array<double, 9> aside = {0, 1, 2, 6, 7, 8, 9, 17, 30};
 constexpr std::array<double, 2> coolant = {7, 8};
 constexpr std::array<double, 4> of_machine = {53, 153, 74, 75};
 constexpr std::array<double, 5> threads = {10, 11, 12, 16, 17}; ///< members: G33, G331, G332, G34, G35
-// Poles and angles; POS moves an axis by itself.
-constexpr std::array<std::string_view, 5> other_targets = {"AP", "RP", "ANG", "POS", "POSA"};
-constexpr std::array<double, 1> clamping = {26}; ///< G26 S2000
-constexpr double surface_speed = 4;              ///< member of its group: G96
-constexpr double rapid = 1, absolute = 1;        ///< members of their groups: G0, G90
+// Poles and angles, also that of an arc from its start to its end; POS moves an axis by itself.
+constexpr std::array<std::string_view, 6> other_targets = {"AP", "RP", "ANG", "AR", "POS", "POSA"};
+constexpr std::array<double, 2> resetting = {74, 75}; ///< to the reference point, to a fixed point
+constexpr std::array<double, 1> clamping = {26};      ///< G26 S2000
+constexpr double surface_speed = 4;                   ///< member of its group: G96
+constexpr double rapid = 1, absolute = 1;             ///< members of their groups: G0, G90
 
 constexpr MachineWords words = {.axes = {'X', 'Y', 'Z'},
                                 .centres = {'I', 'J', 'K'},
@@ -29,6 +30,7 @@ constexpr MachineWords words = {.axes = {'X', 'Y', 'Z'},
                                 .rapid = rapid,
                                 .absolute = absolute,
                                 .threads = threads,
+                                .resetting = resetting,
                                 .of_machine = of_machine,
                                 .clamping = clamping,
                                 .surface_speed = surface_speed,

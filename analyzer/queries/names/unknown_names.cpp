@@ -30,6 +30,11 @@ bool is_undefined(const ProgramAnalysis& analysis, const UnknownName& name) {
     return name.meant.empty() && elsewhere.are_all && !elsewhere.contain(name.name);
 }
 
+bool is_g_code(const UnknownName& name) {
+    return name.name.size() > 1 && name.name.front() == 'G' &&
+           std::ranges::all_of(std::string_view(name.name).substr(1), is_digit);
+}
+
 bool is_misspelt_at(const ProgramAnalysis& analysis, Span span) {
     return std::ranges::any_of(analysis.program().unknown_names, [&](const UnknownName& name) {
         return name.span.begin == span.begin && is_misspelt(analysis, name);

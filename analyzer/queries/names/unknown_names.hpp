@@ -11,6 +11,8 @@ namespace maclint::queries {
 [[nodiscard]] bool is_misspelt(const ProgramAnalysis& analysis, const UnknownName& name);
 /// Nothing has the name, as far as all names are known; not what is_misspelt() tells.
 [[nodiscard]] bool is_undefined(const ProgramAnalysis& analysis, const UnknownName& name);
+/// Whether it is a G code, as G43.
+[[nodiscard]] bool is_g_code(const UnknownName& name);
 /// Whether the name that stands there is one that is_misspelt() tells.
 [[nodiscard]] bool is_misspelt_at(const ProgramAnalysis& analysis, Span span);
 

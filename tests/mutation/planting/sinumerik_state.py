@@ -76,7 +76,8 @@ def cancels(program, block):
     position = block.find(r'(?<!\w)SPOS=\S+')
     after = program.at(block)
     if position and after is not None and after.has('G331'):
-        yield 'sin-tap-without-position', emptied(block), ''
+        others = any(found is not block and found.find(r'(?<!\w)SPOS=') for found in program.blocks)
+        yield 'sin-tap-without-position', emptied(block), 'another block positions the spindle' if others else ''
 
 
 def saved(program, block):

@@ -87,5 +87,6 @@ def arc(block, words, axes, centres, place):
             yield 'sin-radius-closed', edits, ''
     centre = [words.get(letter) for letter in centres]
     if not radius and all(centre) and chord > 1:
+        along = max((0, 1), key=lambda axis: abs(end[axis] - start[axis]))  # beside the chord both ends stay as far from it
         shift = max(2.0, chord)
-        yield 'sin-centre-beside', cut(block, centre[0], 2, f'{float(centre[0].group(2)) + shift:g}'), ''
+        yield 'sin-centre-beside', cut(block, centre[along], 2, f'{float(centre[along].group(2)) + shift:g}'), ''
