@@ -38,6 +38,8 @@ struct WordCheck {
 /// checks share a pass over the blocks of a program that paths lead to.
 struct MachineCheck {
     void (*check)(const MachineStep&, Reporter&);
+    /// Whether it is shown also what they do for the numbers that single calls pass.
+    bool with_numbers_of_calls = false;
 };
 
 /// What a row of the table of words says of the words that it names, in a block that holds its code.

@@ -1,11 +1,10 @@
-//! The pass over the steps of a program.
+//! What a step is for messages.
 #include "rules/machine_check.hpp"
 
 #include "analyzer/program/model.hpp"
 #include "rules/path.hpp"
 
 #include <algorithm>
-#include <iterator>
 #include <string_view>
 #include <variant>
 
@@ -26,13 +25,6 @@ Span line_at(const Program& program, Offset begin) {
     const std::size_t last = line.find_last_not_of(" \t");
     return {begin, begin + static_cast<Offset>(last == std::string_view::npos ? 0 : last + 1)};
 }
-
-/// A rule that takes part in the pass.
-struct Taking {
-    const MachineCheck* check;
-    Reporter reporter;
-    std::set<Offset> told;
-};
 
 } // namespace
 
@@ -76,23 +68,6 @@ RelatedLocation MachineStep::at(const machine::Known& set, std::string text) con
 
 std::string MachineStep::line_of(const machine::Known& set) const {
     return line_number(analysis.file(), set.block);
-}
-
-std::vector<Finding> check_machine(const ProgramAnalysis& analysis, std::span<const Rule* const> rules) {
-    std::vector<Taking> taking;
-    for (const Rule* rule : rules)
-        if (const auto* check = std::get_if<MachineCheck>(&rule->check);
-            check != nullptr && applies_to(*rule, analysis.control()))
-            taking.push_back({check, Reporter(*rule), {}});
-    if (taking.empty() || analysis.machine().empty()) return {};
-    const machine::Habits& habits = analysis.machine().habits();
-    if (!habits.is_of_interest()) return {};
-    analysis.machine().for_each_step([&](const machine::Step& step) {
-        for (Taking& rule : taking) rule.check->check({analysis, step, habits, rule.told}, rule.reporter);
-    });
-    std::vector<Finding> findings;
-    for (Taking& rule : taking) std::ranges::move(rule.reporter.take(), std::back_inserter(findings));
-    return findings;
 }
 
 } // namespace maclint

@@ -19,6 +19,7 @@ struct MachineStep {
     const machine::Step& step;
     const machine::Habits& habits;
     std::set<Offset>& told; ///< causes of which the rule has spoken in this program
+    bool is_of_one_call;    ///< calculated words are what they are for that
 
     [[nodiscard]] const machine::State& before() const { return step.before; }
     [[nodiscard]] const machine::State& after() const { return step.after; }

@@ -184,6 +184,7 @@
     RULE(position_read_ahead)                   /* MAC605 */ \
     RULE(lookahead_output)                      /* MAC606 */ \
     RULE(skip_not_checked)                      /* MAC607 */ \
+    RULE(look_ahead_limit_left_on)              /* MAC614 */ \
     RULE(bracket_depth)                         /* MAC701 */ \
     RULE(division_by_zero)                      /* MAC702 */ \
     RULE(domain_error)                          /* MAC703 */ \

@@ -58,6 +58,12 @@ concept Gathering = requires(const D domain, NodeId node, typename D::State& set
     { domain.run(node, set) } -> std::same_as<void>;
 };
 
+/// A gathering domain that knows of edges that no path leads over.
+template<class D>
+concept Refusing = Gathering<D> && requires(const D domain, EdgeId edge) {
+    { domain.is_passable(edge) } -> std::same_as<bool>;
+};
+
 /// A domain that wants to know of every node when the state in front of it changes no more.
 template<class D>
 concept Settling = Domain<D> && requires(D domain, NodeId node, const typename D::State& state) {
@@ -312,7 +318,8 @@ class Gatherer : Walked<direction> {
             state = before[node];
             domain_.run(node, state);
             for (const EdgeId edge : edges_from(node))
-                if (const NodeId to = target(graph_.edges[edge]); domain_.add(before[to], state))
+                if (const NodeId to = target(graph_.edges[edge]);
+                    is_passable(edge) && domain_.add(before[to], state))
                     waiting.add(in_turn(to));
         }
         return before;
@@ -321,6 +328,13 @@ class Gatherer : Walked<direction> {
   private:
     using Walked<direction>::graph_, Walked<direction>::size, Walked<direction>::edges_from,
         Walked<direction>::target, Walked<direction>::in_turn;
+
+    [[nodiscard]] bool is_passable(EdgeId edge) const {
+        if constexpr (Refusing<D>)
+            return domain_.is_passable(edge);
+        else
+            return true;
+    }
 
     const D& domain_;
 };

@@ -67,11 +67,7 @@ class Reader {
 };
 
 bool Reader::is_circle() const {
-    const auto motion = control_.group_with(ModalRole::motion);
-    const Known& mode = step_.after.of(ModalRole::motion);
-    if (!motion || !mode.is_known() || step_.move != Move::feed) return false;
-    const auto& circles = control_.groups[*motion].circles;
-    if (std::ranges::find(circles, mode.value) == circles.end()) return false;
+    if (!moves_on_circle(step_, control_)) return false;
     if (std::ranges::any_of(of_other_curves, [&](char letter) { return has(letter); })) return false;
     return std::ranges::none_of(bent, [&](ModalRole role) { return may_be_on(step_.after, control_, role); });
 }

@@ -29,6 +29,7 @@ void Habits::see(const Step& step, const Program& program) {
         !is_surely_on(step.after, control, length_mode))
         last_end_of_length_offset_ = step.block.span.begin;
     moves_ = moves_ || step.move != Move::none;
+    has_shapes_ = has_shapes_ || moves_on_shape(step, control);
     if (step.changes_tool) {
         const Known& offset = step.before.length_offset;
         const bool had_one = offset.is_known() && offset.value > 0 && step.before.cut.is(1);

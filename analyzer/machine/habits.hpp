@@ -19,6 +19,8 @@ class Habits {
 
     /// Whether anything moves.
     [[nodiscard]] bool is_of_interest() const { return moves_; }
+    /// Whether it moves on circles or in canned cycles.
+    [[nodiscard]] bool has_shapes() const { return has_shapes_; }
     /// Tools for which a length offset is chosen before the next one comes; the one that is in the spindle
     /// when the program starts only where it cuts with it.
     [[nodiscard]] int tools_with_length_offset() const { return tools_with_length_offset_; }
@@ -58,6 +60,9 @@ class Habits {
     /// writes its circles so.
     [[nodiscard]] const Arc* wrong_arc(Offset block) const;
 
+    /// Whether something is wrong with that circle, however the program writes its circles.
+    [[nodiscard]] bool is_wrong_arc(Offset block) const { return wrong_arcs_.contains(block); }
+
     /// What it keeps over a change of tool or work offset.
     [[nodiscard]] const KeptModes& kept_modes() const { return kept_modes_; }
     /// The last block that ends a length offset which the program has chosen; 0: there is none.
@@ -77,8 +82,8 @@ class Habits {
     void see_change(const Step& step, const ControlModel& control);
     void see_lathe(const Step& step, const ControlModel& control);
 
-    bool moves_ = false, turns_spindle_ = false, gives_feed_ = false, gives_speed_ = false,
-         names_tools_ = false;
+    bool moves_ = false, has_shapes_ = false, turns_spindle_ = false, gives_feed_ = false,
+         gives_speed_ = false, names_tools_ = false;
     int changes_ = 0, tools_with_length_offset_ = 0, changes_with_start_ = 0;
     bool waits_for_offset_ = false, waits_for_start_ = false;
     AtChanges spindle_at_changes_, coolant_at_changes_;

@@ -32,6 +32,7 @@ class Domain {
     void run(flow::NodeId node, State& set) const {
         states_.run(node, set, [](const Step&) {});
     }
+    [[nodiscard]] bool is_passable(flow::EdgeId edge) const { return states_.passable(edge); }
 
   private:
     const States& states_;
@@ -46,10 +47,12 @@ bool is_never_run(const Program& program) {
 
 } // namespace
 
-States::States(const Program& program, const flow::Graph& graph, LeftByCall left_by_call)
+States::States(const Program& program, const flow::Graph& graph, LeftByCall left_by_call,
+               std::optional<OneCall> only)
     : program_(&program)
     , graph_(&graph)
-    , left_by_call_(std::move(left_by_call)) {
+    , left_by_call_(std::move(left_by_call))
+    , only_(std::move(only)) {
     if (program.control->machine_words == nullptr || program.has_several_channels() || graph.nodes.empty() ||
         graph.nodes.size() > most_nodes || is_never_run(program)) {
         left_.state.is_reached = true;
@@ -95,6 +98,16 @@ std::vector<Span> States::parts_that_begin_something(const PlainRun& run, Span s
             parts.push_back({line.begin, end});
     });
     return parts;
+}
+
+std::vector<Word> States::with_numbers(std::span<const Word> words) const {
+    std::vector<Word> known(words.begin(), words.end());
+    for (Word& word : known) {
+        const auto* id = std::get_if<ExpressionId>(&word.value);
+        const auto number = id == nullptr ? only_->numbers.end() : only_->numbers.find(*id);
+        if (number != only_->numbers.end()) word.value = Literal{number->second, true};
+    }
+    return known;
 }
 
 void States::forget_between(State& state) {

@@ -3,10 +3,13 @@
 
 #include "analyzer/flow/graph.hpp"
 #include "analyzer/machine/habits.hpp"
+#include "analyzer/machine/one_call.hpp"
 #include "analyzer/machine/step.hpp"
 
 #include <functional>
 #include <optional>
+#include <span>
+#include <utility>
 #include <vector>
 
 namespace maclint::machine {
@@ -25,8 +28,14 @@ using LeftByCall = std::function<const Left*(EffectId call)>;
 
 class States {
   public:
-    /// Nothing is known of a program whose control has no words for it, or which is too large.
-    States(const Program& program, const flow::Graph& graph, LeftByCall left_by_call);
+    /// Nothing is known of a program whose control has no words for it, or which is too large. With a call
+    /// its calculated words are taken for what they then are.
+    States(const Program& program, const flow::Graph& graph, LeftByCall left_by_call,
+           std::optional<OneCall> only);
+    /// The same program, begun by one call.
+    [[nodiscard]] States begun_by(OneCall call) const {
+        return {*program_, *graph_, left_by_call_, std::move(call)};
+    }
 
     [[nodiscard]] bool empty() const { return before_.empty(); }
     [[nodiscard]] const Left& left() const { return left_; }
@@ -38,12 +47,17 @@ class States {
     /// blocks only those are seen that begin something, and some blocks behind each.
     template<class Visit>
     void for_each_step(const Visit& visit) const {
-        for (flow::NodeId node = 0; node < before_.size(); ++node) {
-            if (!before_[node].is_reached) continue;
-            State state = before_[node];
-            run(node, state, visit);
-        }
+        for (flow::NodeId node = 0; node < before_.size(); ++node) for_each_step_of(node, visit);
     }
+    /// The same of one node.
+    template<class Visit>
+    void for_each_step_of(flow::NodeId node, const Visit& visit) const {
+        if (!before_[node].is_reached) return;
+        State state = before_[node];
+        run(node, state, visit);
+    }
+    /// Whether the edge can be taken, as far as the call tells.
+    [[nodiscard]] bool passable(flow::EdgeId edge) const { return !only_ || only_->passable[edge]; }
 
     /// Of a node: its blocks, then its calls.
     template<class Visit>
@@ -69,6 +83,8 @@ class States {
     void step(Stepper& stepper, State& state, const BlockView& block, std::span<const Word> words,
               const Visit& visit) const {
         bool is_followed_by_call = false;
+        std::vector<Word> known;
+        if (only_) words = known = with_numbers(words);
         stepper.run(state, block, words, [&](const Step& one) {
             visit(one);
             is_followed_by_call = one.move != Move::none && calls_after_moves(state);
@@ -100,6 +116,8 @@ class States {
 
     /// Lines with a code or a word that does more than move, and some behind each.
     [[nodiscard]] std::vector<Span> parts_that_begin_something(const PlainRun& run, Span stretch) const;
+    /// The words of a block for the one call.
+    [[nodiscard]] std::vector<Word> with_numbers(std::span<const Word> words) const;
     static void forget_between(State& state);
     [[nodiscard]] bool calls_after_moves(const State& state) const;
     void run_calls(const flow::Node& node, State& state) const;
@@ -109,6 +127,7 @@ class States {
     const Program* program_;
     const flow::Graph* graph_;
     LeftByCall left_by_call_;
+    std::optional<OneCall> only_;    ///< nothing: it is looked at for all calls
     std::optional<Stepper> stepper_; ///< nothing: no state is known
     syntax::AddressSet choosing_;    ///< addresses that choose a tool or an offset
     bool sees_all_ = true;           ///< and not only what begins something

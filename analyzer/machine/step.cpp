@@ -100,6 +100,17 @@ bool counts_from_elsewhere(const State& state, const ControlModel& control) {
     return std::ranges::any_of(roles, [&](ModalRole role) { return may_be_on(state, control, role); });
 }
 
+bool moves_on_circle(const Step& step, const ControlModel& control) {
+    const auto motion = control.group_with(ModalRole::motion);
+    const Known& mode = step.after.of(ModalRole::motion);
+    return motion && mode.is_known() && step.move == Move::feed &&
+           contains(control.groups[*motion].circles, mode.value);
+}
+
+bool moves_on_shape(const Step& step, const ControlModel& control) {
+    return step.move == Move::cycle || moves_on_circle(step, control);
+}
+
 bool takes_feed(const Step& step, const MachineWords& machine) {
     if (step.words.has_one_of(machine.returning)) return false;
     const Known& motion = step.after.of(ModalRole::motion);

@@ -104,6 +104,10 @@ inline constexpr double millimetres_of_inch = 25.4;
 [[nodiscard]] bool may_be_on(const State& state, const ControlModel& control, ModalRole role);
 /// Whether positions may count from elsewhere than the work offset says, or not along X and Y.
 [[nodiscard]] bool counts_from_elsewhere(const State& state, const ControlModel& control);
+/// Whether the block moves by feed, with the code of a circle in force.
+[[nodiscard]] bool moves_on_circle(const Step& step, const ControlModel& control);
+/// On a circle, or in a canned cycle.
+[[nodiscard]] bool moves_on_shape(const Step& step, const ControlModel& control);
 /// Whether the block moves by the F in force: those of a profile have their own, and that of a thread is its
 /// lead.
 [[nodiscard]] bool takes_feed(const Step& step, const MachineWords& machine);

@@ -72,6 +72,21 @@ struct VariableRange {
     std::string_view positions_of = {};
     /// Where the axes were when a signal ended a move; the end of that move where none came.
     bool is_skip_position = false;
+    bool is_output = false; ///< what a program stores there the machine hears at once
+    /// Of numbers that go by axes, `first` that of the first axis: how many a set of axes takes; the next set
+    /// begins so many further on. 0: they do not.
+    std::int32_t numbers_of_a_set = 0;
+    /// Of work offsets: the code under which the first set counts; the next set has the next code.
+    std::optional<double> first_code = {};
+
+    /// The axis of a number that goes by axes, from 1 on; 0 for others.
+    [[nodiscard]] std::int32_t axis(std::int32_t number) const {
+        return numbers_of_a_set == 0 ? 0 : (number - first) % numbers_of_a_set + 1;
+    }
+    /// The code under which an offset counts; only where there is a first one.
+    [[nodiscard]] double code(std::int32_t number) const {
+        return *first_code + (number - first) / numbers_of_a_set;
+    }
 };
 
 /// What programmers mean by an index of which too little is known. An assumption: no control enforces it.

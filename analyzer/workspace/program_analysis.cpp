@@ -55,12 +55,14 @@ const ProgramAnalysis* ProgramAnalysis::followed(const CallSite* site) const {
 const machine::States& ProgramAnalysis::machine() const {
     return *machine_.get([this] {
         return std::make_unique<const machine::States>(
-            *program_, graph_, [this](EffectId call) -> const machine::Left* {
+            *program_, graph_,
+            [this](EffectId call) -> const machine::Left* {
                 static const machine::Left nothing{{}, {}, {}, true};
                 if (is_switch(call)) return &nothing;
                 const ProgramAnalysis* called = followed(call_at(call));
                 return called == nullptr ? nullptr : &called->machine().left();
-            });
+            },
+            std::nullopt);
     });
 }
 

@@ -7,7 +7,6 @@
 #include "rules/trace.hpp"
 
 #include <string>
-#include <utility>
 
 namespace maclint::rules {
 
@@ -22,8 +21,9 @@ extern const Rule call_ends_in_alarm{
     .why =
         "The call leaves out an argument that the program asks for, or passes a number that it refuses, or "
         "the program runs into an alarm that is there for a test. The machine stops there each time, and "
-        "what follows the call is never run. A call "
-        "behind a test, of a program that does nothing but raise alarms, is meant to stop.",
+        "what follows the call is never run. Of a program that nobody calls the call is followed "
+        "that its own remark shows. A call behind a test, of a program that does nothing but raise alarms, "
+        "is meant to stop.",
     .severity = Severity::error,
     .precision = Precision::high,
     .yields_to = "MAC418",
@@ -115,25 +115,21 @@ M99
 
 namespace {
 
-/// How the called program gets to its alarm.
-void add_steps(Finding& finding, const AlarmReached& alarm) {
-    if (!alarm.is_one_of_several)
-        for (RelatedLocation& step : steps_along(*alarm.program, alarm.path))
-            finding.related.push_back(std::move(step));
-    finding.related.push_back({alarm.program->source(), alarm.text, "the alarm"});
-}
-
 void check(const ProgramAnalysis& analysis, Reporter& reporter) {
     const Program& program = analysis.program();
     for (const AlarmedCall& call : find_alarmed_calls(analysis)) {
-        const Span span = program.effects[call.call].span;
+        const Span span = call.shown ? *call.shown : program.effects[call.call].span;
         const ProgramAnalysis& stopping = *call.alarm.program;
         const std::string alarm = alarm_of(call);
+        const Cause cause = call.shown ? Cause(analysis, span) : Cause(analysis, call.call);
         Finding& finding =
-            reporter.report({analysis, call.call}, span, message_for(call),
+            reporter.report(cause, span, message_for(call),
                             {quoted(program, span), names_of(call), stopping.program().name, alarm});
-        trace(finding, analysis, call.node, "calls " + call.called->program().name);
-        add_steps(finding, call.alarm);
+        if (call.shown)
+            finding.severity = Severity::warning; // a remark that has grown old, or a program
+        else
+            trace(finding, analysis, call.node, "calls " + call.called->program().name);
+        add_steps(finding, call);
         finding.same_cause = stopping.program().name + " " + alarm + " " + names_of(call);
     }
 }

@@ -4,6 +4,7 @@
 #include "analyzer/source/exemption.hpp"
 #include "analyzer/workspace/program_analysis.hpp"
 
+#include <optional>
 #include <vector>
 
 namespace maclint::rules {
@@ -31,6 +32,13 @@ enum class AlarmReason : std::uint8_t {
     always,       ///< whatever the call passes
 };
 
+/// A call by which a program that was called passes on what brings the alarm.
+struct PassedOn {
+    const ProgramAnalysis* program; ///< in which it stands
+    EffectId call;
+    std::vector<flow::EdgeId> path; ///< a shortest one from that program's start
+};
+
 struct AlarmedCall {
     flow::NodeId node; ///< where the program is begun: of a modal call its first move
     EffectId call;
@@ -39,6 +47,8 @@ struct AlarmedCall {
     /// For the first three: what conditions on the path ask for, as far as is seen: vacant, or with a number.
     std::vector<Variable> asked;
     AlarmReached alarm;
+    std::vector<PassedOn> through;  ///< in the order of calls; empty: the called program brings it itself
+    std::optional<Span> shown = {}; ///< where a remark of the called program itself shows the call
 };
 
 /// In text order, each call once. What is vacant is asked first, then numbers with it. Calls that are made to

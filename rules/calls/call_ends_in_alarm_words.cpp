@@ -2,6 +2,10 @@
 #include "rules/calls/call_ends_in_alarm_words.hpp"
 
 #include "rules/path.hpp"
+#include "rules/trace.hpp"
+
+#include <utility>
+#include <vector>
 
 namespace maclint::rules {
 
@@ -28,6 +32,21 @@ std::string_view message_for(const AlarmedCall& call) {
     case AlarmReason::always: break;
     }
     return "always";
+}
+
+void add_steps(Finding& finding, const AlarmedCall& call) {
+    const auto add_path = [&](const ProgramAnalysis& program, const std::vector<flow::EdgeId>& path) {
+        for (RelatedLocation& step : steps_along(program, path)) finding.related.push_back(std::move(step));
+    };
+    for (const PassedOn& passed : call.through) {
+        add_path(*passed.program, passed.path);
+        finding.related.push_back({passed.program->source(),
+                                   passed.program->program().effects[passed.call].span,
+                                   "the call that passes it on"});
+    }
+    const AlarmReached& alarm = call.alarm;
+    if (!alarm.is_one_of_several) add_path(*alarm.program, alarm.path);
+    finding.related.push_back({alarm.program->source(), alarm.text, "the alarm"});
 }
 
 } // namespace maclint::rules

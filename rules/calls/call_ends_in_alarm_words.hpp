@@ -2,6 +2,7 @@
 #pragma once
 
 #include "rules/calls/call_ends_in_alarm_finder.hpp"
+#include "rules/finding.hpp"
 
 #include <string>
 #include <string_view>
@@ -16,5 +17,8 @@ namespace maclint::rules {
 
 /// The message for the reason.
 [[nodiscard]] std::string_view message_for(const AlarmedCall& call);
+
+/// How the called program gets to its alarm.
+void add_steps(Finding& finding, const AlarmedCall& call);
 
 } // namespace maclint::rules

@@ -1,4 +1,6 @@
 //! MAC532: a canned cycle whose bottom lies above the level from which it feeds.
+#include "analyzer/dataflow/facts/call_begun.hpp"
+#include "analyzer/dataflow/facts/read.hpp"
 #include "rules/machine_check.hpp"
 #include "rules/path.hpp"
 
@@ -17,6 +19,7 @@ extern const Rule cycle_depth_above_level{
         "rapid to where it should begin to cut.",
     .severity = Severity::warning,
     .precision = Precision::very_high,
+    .facts = dataflow::facts<dataflow::CallBegun, dataflow::Read>(),
     .messages = {{"above",
                   "Bottom of the cycle above its start: '{0}' is no deeper than '{1}', from where the tool "
                   "feeds down.",
@@ -39,6 +42,15 @@ G91 G98 G81 X10. Z18. R-48. F150.
 G80
 G90
 M30
+)nc"},
+            {"fanuc", R"nc(
+O0001(MAIN)
+G65 P9533 Z18. R2. F150.
+M30
+O9533(HOLE, Z DEPTH, R LEVEL)
+G17 G90 G98 G81 Z#26 R#18 F#9
+G80
+M99
 )nc"}},
     .good = {{"fanuc", R"nc(
 O9532(HOLES)
@@ -50,7 +62,7 @@ G80
 M30
 )nc"}},
     .sources = {"T"},
-    .check = MachineCheck{&check},
+    .check = MachineCheck{.check = &check, .with_numbers_of_calls = true},
 };
 
 namespace {

@@ -1,4 +1,5 @@
 //! MAC522: a circle that cannot be.
+#include "analyzer/dataflow/facts/call_begun.hpp"
 #include "analyzer/dataflow/facts/read.hpp"
 #include "analyzer/dataflow/facts/store.hpp"
 #include "rules/machine/impossible_arc_sizes.hpp"
@@ -19,7 +20,7 @@ extern const Rule impossible_arc{
     .why = "The control stops in the cut, or takes another path than the one that was meant.",
     .severity = Severity::error,
     .precision = Precision::very_high,
-    .facts = dataflow::facts<dataflow::Read, dataflow::Store>(),
+    .facts = dataflow::facts<dataflow::CallBegun, dataflow::Read, dataflow::Store>(),
     .messages = {{"radii", "Radii of the arc differ: '{0}' begins {1} from its centre and ends {2} from it.",
                   "Correct its end, or the centre in {3}."},
                  {"chord",
@@ -83,7 +84,7 @@ M30
                {"FANUC 16i/18i/21i", "021", "ILLEGAL PLANE AXIS COMMANDED", false, "other-plane"},
                {"FANUC 30i/0i-D", "021", "ILLEGAL PLANE SELECT", false, "other-plane"}},
     .sources = {"CSDN-PS: alarms 020, 021, parameter 3410", "GH-ALM", "T: radius and chord"},
-    .check = MachineCheck{&check},
+    .check = MachineCheck{.check = &check, .with_numbers_of_calls = true},
 };
 
 namespace {

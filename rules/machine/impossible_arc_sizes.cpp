@@ -4,6 +4,7 @@
 #include "rules/machine/impossible_arc_sizes_finder.hpp"
 #include "rules/path.hpp"
 
+#include <optional>
 #include <string>
 #include <utility>
 #include <variant>
@@ -12,7 +13,7 @@
 namespace maclint::rules {
 
 void report_wrong_sizes(const MachineStep& at, Reporter& reporter) {
-    const auto sizes = wrong_sizes(at.analysis, at.step);
+    const auto sizes = at.is_of_one_call ? std::nullopt : wrong_sizes(at.analysis, at.step);
     if (!sizes) return;
     const Program& program = at.analysis.program();
     const auto spelled = [&](ExpressionId read) {

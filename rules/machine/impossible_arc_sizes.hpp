@@ -5,7 +5,7 @@
 
 namespace maclint::rules {
 
-/// Nothing where the sizes may make a circle.
+/// Nothing where the sizes may make a circle, or are those of one call.
 void report_wrong_sizes(const MachineStep& at, Reporter& reporter);
 
 } // namespace maclint::rules

@@ -104,14 +104,9 @@ struct Circle {
 std::optional<Circle> circle_of(const ControlModel& control, const machine::Step& step) {
     constexpr std::size_t z = 2;
     const MachineWords& letters = *control.machine_words;
-    const auto motion = control.group_with(ModalRole::motion);
-    const machine::Known& mode = step.after.of(ModalRole::motion);
     const machine::Known& distance = step.after.of(ModalRole::distance);
     const machine::Known& plane = step.after.of(ModalRole::plane);
-    if (!motion || letters.x_is_diameter || step.move != machine::Move::feed || !mode.is_known())
-        return std::nullopt;
-    const auto& circles = control.groups[*motion].circles;
-    if (std::ranges::find(circles, mode.value) == circles.end()) return std::nullopt;
+    if (letters.x_is_diameter || !machine::moves_on_circle(step, control)) return std::nullopt;
     if (!distance.is_known() || distance.is(letters.absolute) || letters.centres[z] == 0) return std::nullopt;
     const auto planes = control.group_with(ModalRole::plane);
     const bool is_xy =

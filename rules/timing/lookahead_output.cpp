@@ -63,7 +63,7 @@ bool switches_output(const ProgramAnalysis& analysis, const Assign& assign) {
     const auto* target = std::get_if<StoreMachine>(&assign.target);
     if (target == nullptr) return false;
     const VariableRange* range = analysis.control().families[target->family].find(target->number);
-    return range != nullptr && range->is_bit && range->on_write == OnWrite::store;
+    return range != nullptr && range->is_output;
 }
 
 /// An assignment that may be run before the move has ended.

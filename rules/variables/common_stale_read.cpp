@@ -3,11 +3,9 @@
 #include "analyzer/dataflow/facts/comparison.hpp"
 #include "analyzer/dataflow/facts/read.hpp"
 #include "analyzer/dataflow/facts/store.hpp"
-#include "rules/path.hpp"
 #include "rules/rule.hpp"
-#include "rules/trace.hpp"
-#include "rules/variables/common_stale_read_cases_finder.hpp"
 #include "rules/variables/common_stale_read_checks_finder.hpp"
+#include "rules/variables/common_stale_read_words.hpp"
 
 namespace maclint::rules {
 
@@ -31,6 +29,10 @@ extern const Rule common_stale_read{
                   "Value from the run before: {0} is set for {1} only, and read here for {2}, which "
                   "line {3} asks for.",
                   "Set it in that case, too, or refuse the case with an alarm."},
+                 {"way",
+                  "Value from the run before: {0} is set on one way from '{1}' only, and read here behind "
+                  "both; the other way sets {2} on line {3}, and leaves {0}.",
+                  "Set it there, too, or before the condition."},
                  {"limit",
                   "Value from the run before: '{0}' looks at {1}, which the program sets on line {2} only.",
                   "Move the check behind that line, or correct the variable."}},
@@ -55,6 +57,17 @@ G0 Z-#106
 G0 Z#23
 M99
 N9 #3000=1(Z OR TOOL LENGTH)
+)nc"},
+            {"fanuc", R"nc(
+O9218(TWO SIZES, A)
+IF[#1EQ2]GOTO10
+#101=20
+#102=8
+GOTO20
+N10 #101=32
+N20 G90 G0 X#101
+Y#102
+M99
 )nc"}},
     .good = {{"fanuc", R"nc(
 O9216(PASSES)
@@ -95,43 +108,10 @@ N9 #3000=1(MOVED)
 
 namespace {
 
-/// "#4012 = 54, 56"
-std::string words_for(const ProgramAnalysis& analysis, const StaleRead& stale) {
-    const Program& program = analysis.program();
-    std::string words;
-    for (const ExpressionId number : stale.set_for)
-        words += (words.empty() ? quoted(program, program.expressions[stale.subject].span) + " = " : ", ") +
-                 quoted(program, program.expressions[number].span);
-    return words;
-}
-
-void report_limits(const ProgramAnalysis& analysis, Reporter& reporter) {
-    const Program& program = analysis.program();
-    for (const EarlyCheck& early : find_early_checks(analysis)) {
-        const Span span = program.expressions[early.read->expression].span;
-        Finding& finding = reporter.report(
-            {analysis, *early.read}, span, "limit",
-            {quoted(program, program.effects[early.read->effect].span), program.spell(early.read->variable),
-             line_number(analysis.file(), program.effects[early.store->effect].span.begin)});
-        finding.related.push_back(related_at_effect(analysis, early.store->effect, "it is set here"));
-        trace(finding, analysis, early.read->node, "it is checked as the run before has left it");
-    }
-}
-
 void check(const ProgramAnalysis& analysis, Reporter& reporter) {
     report_limits(analysis, reporter);
-    const Program& program = analysis.program();
-    for (const StaleRead& stale : find_stale_reads(analysis)) {
-        const Span span = program.expressions[stale.read->expression].span;
-        const Span asked = program.expressions[stale.missing].span;
-        Finding& finding =
-            reporter.report({analysis, *stale.read}, span, "case",
-                            {program.spell(stale.read->variable), words_for(analysis, stale),
-                             quoted(program, asked), line_number(analysis.file(), asked.begin)});
-        for (RelatedLocation& step : steps_along(analysis, stale.path))
-            finding.path.push_back(std::move(step));
-        finding.path.push_back({analysis.source(), span, "it is read as the run before has left it"});
-    }
+    report_cases(analysis, reporter);
+    report_ways(analysis, reporter);
 }
 
 } // namespace

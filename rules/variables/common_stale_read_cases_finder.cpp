@@ -52,9 +52,9 @@ class StaleReads {
     std::optional<StaleRead> of(Variable variable) {
         const auto set_for = cases_that_set(variable);
         if (set_for.cases.size() < 2) return std::nullopt;
-        const auto reads = first_reads(variable);
+        const auto reads = first_reads(analysis_, variable);
         if (reads.empty()) return std::nullopt;
-        const auto setting = nodes_that_set(variable);
+        const auto setting = nodes_that_set(analysis_, variable);
         for (const Case& other : cases_) {
             if (set_for.numbers.contains(value(other.number)) ||
                 !asks_for_same(*set_for.cases.front(), other))
@@ -175,28 +175,6 @@ class StaleReads {
         });
     }
 
-    /// The first of them that take its value, in the order of nodes.
-    [[nodiscard]] std::vector<const dataflow::Read*> first_reads(Variable variable) const {
-        std::vector<const dataflow::Read*> reads;
-        for (const dataflow::Read* read : analysis_.facts().about<dataflow::Read>(variable)) {
-            if (read->use == dataflow::Use::vacancy_test) continue;
-            reads.push_back(read);
-            if (reads.size() == most_searches) break;
-        }
-        return reads;
-    }
-
-    [[nodiscard]] std::vector<flow::NodeId> nodes_that_set(Variable variable) const {
-        std::vector<flow::NodeId> nodes;
-        for (const dataflow::Store* store : stores_in(variable)) nodes.push_back(store->node);
-        for (const dataflow::Clobber& clobber : analysis_.facts().all<dataflow::Clobber>())
-            if (clobber.may_change(variable)) nodes.push_back(clobber.node);
-        std::ranges::sort(nodes);
-        const auto again = std::ranges::unique(nodes);
-        nodes.erase(again.begin(), again.end());
-        return nodes;
-    }
-
     const ProgramAnalysis& analysis_;
     const flow::Graph& graph_;
     execution::PathSearch search_{analysis_};
@@ -215,6 +193,28 @@ bool is_set_in(const Program& program, Variable variable) {
 }
 
 } // namespace
+
+std::vector<const dataflow::Read*> first_reads(const ProgramAnalysis& analysis, Variable variable) {
+    std::vector<const dataflow::Read*> reads;
+    for (const dataflow::Read* read : analysis.facts().about<dataflow::Read>(variable)) {
+        if (read->use == dataflow::Use::vacancy_test) continue;
+        reads.push_back(read);
+        if (reads.size() == most_searches) break;
+    }
+    return reads;
+}
+
+std::vector<flow::NodeId> nodes_that_set(const ProgramAnalysis& analysis, Variable variable) {
+    std::vector<flow::NodeId> nodes;
+    for (const dataflow::Store* store : analysis.facts().about<dataflow::Store>(variable))
+        nodes.push_back(store->node);
+    for (const dataflow::Clobber& clobber : analysis.facts().all<dataflow::Clobber>())
+        if (clobber.may_change(variable)) nodes.push_back(clobber.node);
+    std::ranges::sort(nodes);
+    const auto again = std::ranges::unique(nodes);
+    nodes.erase(again.begin(), again.end());
+    return nodes;
+}
 
 bool callers_set(const ProgramAnalysis& analysis, Variable variable) {
     const auto sets = [&](const Caller& caller) {

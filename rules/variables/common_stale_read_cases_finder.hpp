@@ -21,6 +21,13 @@ struct StaleRead {
 /// it for two numbers at least, asks for a third, and its callers do not set it.
 [[nodiscard]] std::vector<StaleRead> find_stale_reads(const ProgramAnalysis& analysis);
 
+/// Where the program stores in the variable, or something may change it: nodes, sorted.
+[[nodiscard]] std::vector<flow::NodeId> nodes_that_set(const ProgramAnalysis& analysis, Variable variable);
+
+/// The first reads of the variable that take its value, in the order of nodes.
+[[nodiscard]] std::vector<const dataflow::Read*> first_reads(const ProgramAnalysis& analysis,
+                                                             Variable variable);
+
 /// Whether a caller sets the variable, or something that it calls besides this program may; so may callers
 /// that are too many to be asked.
 [[nodiscard]] bool callers_set(const ProgramAnalysis& analysis, Variable variable);

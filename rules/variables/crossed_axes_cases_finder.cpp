@@ -1,7 +1,6 @@
 //! Goes back from each statement with a number of a work offset to the test that leads there.
 #include "rules/variables/crossed_axes_cases_finder.hpp"
 
-#include "analyzer/dialect/axis_numbers.hpp"
 #include "analyzer/program/tables.hpp"
 #include "analyzer/source/budget.hpp"
 
@@ -17,13 +16,13 @@ namespace {
 /// A number of a work offset.
 struct OffsetNumber {
     ExpressionId operand;
-    const AxisNumbers* row;
-    SpaceId space;
+    const VariableRange* range;
     std::int32_t number;
 
-    [[nodiscard]] double code() const { return row->code(number); }
+    [[nodiscard]] double code() const { return range->code(number); }
     [[nodiscard]] Variable of_code(double other) const {
-        return {space, number + static_cast<std::int32_t>(std::lround(other - code())) * row->of_a_set};
+        const auto sets = static_cast<std::int32_t>(std::lround(other - code()));
+        return {range->space, number + sets * range->numbers_of_a_set};
     }
 };
 
@@ -70,9 +69,9 @@ class Cases {
 
     [[nodiscard]] std::optional<OffsetNumber> offset(ExpressionId operand, FamilyId family,
                                                      std::int32_t number) const {
-        const AxisNumbers* row = axis_numbers(analysis_.control(), family, number);
-        if (row == nullptr || !row->first_code) return std::nullopt;
-        return OffsetNumber{operand, row, analysis_.control().families[family].find(number)->space, number};
+        const VariableRange* range = analysis_.control().families[family].find(number);
+        if (range == nullptr || !range->first_code) return std::nullopt;
+        return OffsetNumber{operand, range, number};
     }
 
     void add_offsets(ExpressionId id, std::vector<OffsetNumber>& found) const {

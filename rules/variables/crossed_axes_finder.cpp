@@ -1,7 +1,6 @@
 //! Holds the expressions of two assignments against each other.
 #include "rules/variables/crossed_axes_finder.hpp"
 
-#include "analyzer/dialect/axis_numbers.hpp"
 #include "analyzer/program/block_view.hpp"
 #include "analyzer/program/machine_words.hpp"
 #include "analyzer/program/tables.hpp"
@@ -23,8 +22,8 @@ struct Operands {
 
 /// Which axis the number of a family belongs to, from 1 on; 0: it does not go by axes.
 std::int32_t axis_of(const Program& program, FamilyId family, std::int32_t number) {
-    const AxisNumbers* row = axis_numbers(*program.control, family, number);
-    return row == nullptr ? 0 : row->axis(number);
+    const VariableRange* range = program.control->families[family].find(number);
+    return range == nullptr ? 0 : range->axis(number);
 }
 
 /// The two expressions, side by side.

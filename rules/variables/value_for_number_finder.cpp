@@ -3,6 +3,9 @@
 
 #include "analyzer/program/tables.hpp"
 
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
 #include <optional>
 #include <variant>
 
@@ -31,7 +34,85 @@ std::optional<ExpressionId> value_in(const Program& program, ExpressionId index)
     return std::nullopt;
 }
 
+/// The local variable whose number a literal is.
+std::optional<Variable> local_of(const Program& program, FamilyId family, ExpressionId number) {
+    const auto* literal = std::get_if<Literal>(&program.expressions[number].node);
+    if (literal == nullptr || literal->value != std::floor(literal->value)) return std::nullopt;
+    const auto whole = static_cast<std::int32_t>(literal->value);
+    const VariableRange* range = program.control->families[family].find(whole);
+    if (range == nullptr || range->meaning != Meaning::variable ||
+        program.control->spaces[range->space].scope != Scope::frame)
+        return std::nullopt;
+    return Variable{range->space, whole};
+}
+
+std::optional<NumberForValue> number_in(const Program& program, const LoadAt& load) {
+    const auto* difference = std::get_if<Apply>(&program.expressions[load.index].node);
+    if (difference == nullptr || difference->operation != Operation::subtract) return std::nullopt;
+    const auto operands = program.operands_of(*difference);
+    const auto first = local_of(program, load.family, operands[0]);
+    const auto* second = std::get_if<Load>(&program.expressions[operands[1]].node);
+    if (!first || second == nullptr || second->variable.space != first->space) return std::nullopt;
+    return NumberForValue{load.index, *first, operands[1]};
+}
+
+/// Whether a number of a local variable stands in the index, other than in such a difference.
+bool reaches_locals(const Program& program, FamilyId family, ExpressionId index) {
+    if (local_of(program, family, index)) return true;
+    const auto* apply = std::get_if<Apply>(&program.expressions[index].node);
+    return apply != nullptr && std::ranges::any_of(program.operands_of(*apply), [&](ExpressionId operand) {
+               return reaches_locals(program, family, operand);
+           });
+}
+
+bool uses_locals_as_list(const Program& program) {
+    const auto reaches = [&](FamilyId family, ExpressionId index) {
+        return reaches_locals(program, family, index);
+    };
+    return std::ranges::any_of(program.expressions,
+                               [&](const Expression& expression) {
+                                   const auto* load = std::get_if<LoadAt>(&expression.node);
+                                   return load != nullptr && !number_in(program, *load) &&
+                                          reaches(load->family, load->index);
+                               }) ||
+           std::ranges::any_of(program.effects, [&](const Effect& effect) {
+               const auto* assign = std::get_if<Assign>(&effect.what);
+               const auto* store = assign == nullptr ? nullptr : std::get_if<StoreAt>(&assign->target);
+               return store != nullptr && reaches(store->family, store->index);
+           });
+}
+
+bool reads(const Program& program, Variable variable) {
+    return std::ranges::any_of(program.expressions, [&](const Expression& expression) {
+        const auto* load = std::get_if<Load>(&expression.node);
+        return load != nullptr && load->variable == variable;
+    });
+}
+
+/// The indexed variable that a word is, its sign aside.
+const LoadAt* indexed(const Program& program, ExpressionId id) {
+    const auto* apply = std::get_if<Apply>(&program.expressions[id].node);
+    if (apply != nullptr && apply->operation == Operation::negate)
+        return indexed(program, program.operands_of(*apply).front());
+    return std::get_if<LoadAt>(&program.expressions[id].node);
+}
+
 } // namespace
+
+std::vector<NumberForValue> find_numbers_for_values(const Program& program) {
+    std::vector<NumberForValue> found;
+    for (const Effect& effect : program.effects) {
+        const auto* words = std::get_if<EvaluateWords>(&effect.what);
+        if (words == nullptr) continue;
+        for (const ExpressionId value : program.values_of(*words)) {
+            const LoadAt* load = indexed(program, value);
+            const auto number = load == nullptr ? std::nullopt : number_in(program, *load);
+            if (number && reads(program, number->first)) found.push_back(*number);
+        }
+    }
+    if (!found.empty() && uses_locals_as_list(program)) found.clear();
+    return found;
+}
 
 std::vector<ValueForNumber> find_values_for_numbers(const Program& program) {
     std::vector<ValueForNumber> found;

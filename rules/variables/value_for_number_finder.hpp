@@ -1,4 +1,5 @@
-//! Indices that are made of the value of an offset where its number is meant.
+//! Indices that are made of the value of an offset where its number is meant, or of a number where a value
+//! is.
 #pragma once
 
 #include "analyzer/program/model.hpp"
@@ -16,5 +17,16 @@ struct ValueForNumber {
 /// Sums with the value of an offset, or of another number of the machine that keeps what is stored: what is
 /// added to it makes a number of no variable that anybody means. In the order of the expressions.
 [[nodiscard]] std::vector<ValueForNumber> find_values_for_numbers(const Program& program);
+
+/// A local variable taken away from a number of one, in an index: `#[18-#31]`.
+struct NumberForValue {
+    ExpressionId index;
+    Variable first;
+    ExpressionId second; ///< #31
+};
+
+/// Such differences in the words of blocks, of programs that read the first variable elsewhere and reach none
+/// of their local variables by index otherwise. In text order.
+[[nodiscard]] std::vector<NumberForValue> find_numbers_for_values(const Program& program);
 
 } // namespace maclint::rules

@@ -109,5 +109,72 @@ TEST(ToolOfTheStart, MakesAHabitWhereItCuts) {
     EXPECT_THAT(findings("MAC568", head + rest), IsEmpty()) << "no tool has cut with an offset";
 }
 
+TEST(ValuesOfTheRunBefore, AreLeftByOneOfTwoWays) {
+    const auto told = [](const std::string& other, const std::string& behind) {
+        return findings("MAC216", "O1\nIF[#1EQ2]GOTO10\n#101=20\n#102=8\nGOTO20\nN10" + other +
+                                      "\nN20G90G0X#101\n" + behind + "M99\n");
+    };
+    const auto one = told("#101=32", "Y#102\n");
+    ASSERT_THAT(one, SizeIs(1));
+    EXPECT_THAT(one.front().message(), HasSubstr("#102 is set on one way from"));
+    EXPECT_THAT(told("#101=32\n#102=9", "Y#102\n"), IsEmpty());
+    EXPECT_THAT(told("G0X0", "Y#102\n"), IsEmpty()) << "the ways have nothing in common";
+    EXPECT_THAT(told("#101=32\nG65P9100", "Y#102\n"), IsEmpty()) << "the program may set it";
+    EXPECT_THAT(told("#101=32", "IF[#1EQ2]GOTO30\nY#102\nN30\n"), IsEmpty()) << "read on its own way alone";
+    EXPECT_THAT(findings("MAC216", "O1\nIF[#102EQ2]GOTO10\n#101=20\n#102=8\nGOTO20\nN10#101=32\n"
+                                   "N20G90G0X#101\nY#102\nM99\n"),
+                IsEmpty())
+        << "the last value decides";
+}
+
+TEST(ValuesOfTheRunBefore, AreLeftByABranchOfATable) {
+    const std::string table = "O1\nIF[#1EQ1]GOTO10\nIF[#1EQ2]GOTO20\n#3000=1(A)\nN10#101=1\n#102=1\nGOTO90\n"
+                              "N20#101=2\n";
+    EXPECT_THAT(findings("MAC216", table + "GOTO90\nN90G90G0X#101Y#102\nM99\n"), SizeIs(1));
+    EXPECT_THAT(findings("MAC216", table + "#102=2\nGOTO90\nN90G90G0X#101Y#102\nM99\n"), IsEmpty());
+}
+
+TEST(EarlyOutputs, AreNumbersThatSourcesCallSo) {
+    EXPECT_THAT(findings("MAC606", "O1\nG0X0\n#1132=1\nM99\n"), SizeIs(1));
+    EXPECT_THAT(findings("MAC606", "O1\nG0X0\n#1136=1\nM99\n"), IsEmpty());
+}
+
+TEST(LimitsOfLookAhead, AreEndedOnEveryWayOrNone) {
+    const auto told = [](const std::string& one, const std::string& other) {
+        return run_rules(*test::analyse_text("fanuc", "O1\nG103P1\nIF[#3EQ1]GOTO2\n#1101=1\n" + one +
+                                                          "M99\nN2#1101=0\n" + other + "M99\n"),
+                         {{find_rule("MAC614")}}, 1);
+    };
+    const auto left = told("", "G103P0\n");
+    ASSERT_THAT(left, SizeIs(1));
+    EXPECT_THAT(left.front().message(),
+                HasSubstr("'M99' returns under the limit of line 2, which line 7 ends"));
+    EXPECT_THAT(told("G103\n", "G103P0\n"), IsEmpty());
+    EXPECT_THAT(told("", ""), IsEmpty()) << "it may be meant for the caller";
+    EXPECT_THAT(told("G65P9100\n", "G103P0\n"), IsEmpty()) << "the program may end it";
+    EXPECT_THAT(told("G103P#1\n", "G103P0\n"), IsEmpty());
+    EXPECT_THAT(
+        findings("MAC614", "O1\nG103P0\nM98P2\nG103P1\nM0\nG103P0\nG0X1.\nG103P1\nM0\nM99\nO2\nM99\n"),
+        IsEmpty())
+        << "it begins anew without the limit";
+    EXPECT_THAT(findings("MAC614", "O1\nG103P1\nIF[#3EQ1]GOTO2\nG103P0\nM98P3\nM99\nN2G103P0\nM99\n"
+                                   "O3\nG103P1\nM99\n"),
+                IsEmpty())
+        << "it is the called program's";
+    EXPECT_THAT(findings("MAC614", "O1\nG103P1\nIF[#3EQ1]GOTO2\n#1101=1\nM99\nN2#3000=1\nG103P0\n"),
+                SizeIs(1))
+        << "the end stands behind an alarm";
+}
+
+TEST(NumbersForValues, StandBehindTheSign) {
+    const auto told = [](const std::string& rest) {
+        return findings("MAC233", "O1\n#31=#18/4\nG91G1X-#[18-#31]F200.\n" + rest + "M99\n");
+    };
+    EXPECT_THAT(told(""), SizeIs(1));
+    EXPECT_THAT(told("#[1+#2]=5.\n"), IsEmpty()) << "its variables are a list";
+    EXPECT_THAT(findings("MAC233", "O1\nG91G1X-#[18-#31]F200.\nM99\n"), IsEmpty())
+        << "nothing else reads #18";
+}
+
 } // namespace
 } // namespace maclint

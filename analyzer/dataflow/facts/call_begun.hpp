@@ -1,4 +1,4 @@
-//! What a call begins a program with that may end in an alarm.
+//! What a call begins a program with.
 #pragma once
 
 #include "analyzer/dataflow/domain/known_start.hpp"
@@ -7,8 +7,9 @@
 
 namespace maclint::dataflow {
 
-/// A call of a known program that ends in an alarm always, or for some of what it may be given. A modal call
-/// begins it at every move.
+/// A call of a known program of which it matters what it is given: it ends in an alarm for some of it, or
+/// passes it on to one that does, or makes words of it. So does one that always ends in an alarm. A modal
+/// call begins it at every move.
 struct CallBegun {
     static constexpr FactPlace place{14};
     flow::NodeId node;

@@ -12,12 +12,6 @@
 
 namespace maclint::dataflow {
 
-/// Where a program can come to when it is begun in one way.
-struct Begun {
-    std::vector<bool> reached;  ///< of every node
-    std::vector<bool> passable; ///< of every edge
-};
-
 struct KnownStart;
 class KnownStarts;
 
@@ -47,7 +41,8 @@ class Analysis {
     /// Whether some path leads back to the caller when the program is begun with this. May be asked on
     /// several threads.
     [[nodiscard]] bool comes_back(const KnownStart& start) const;
-    [[nodiscard]] Begun begun_with(const KnownStart& start) const;
+    /// The program, begun with this.
+    [[nodiscard]] Analysis begun_with(const KnownStart& start, FactSet wanted) const;
 
     [[nodiscard]] const ValueTable& table() const;
     [[nodiscard]] const Origin& origin(OriginId id) const { return table().origins[id]; }
@@ -68,7 +63,6 @@ class Analysis {
   private:
     friend class AnalysisBuilder;
     [[nodiscard]] bool finds_way_back(const KnownStart& start) const;
-    [[nodiscard]] EntryKnowledge knowledge_with(const KnownStart& start) const;
 
     const Program* program_;
     const flow::Graph* graph_;

@@ -1,4 +1,6 @@
 //! Calls that end in an alarm for the numbers that they are given: they do not come back.
+#include "analyzer/dataflow/solver/known_calls.hpp"
+
 #include "analyzer/dataflow/solver/analysis.hpp"
 #include "analyzer/dataflow/solver/state_domain.hpp"
 #include "analyzer/dataflow/solver/transfer.hpp"
@@ -31,12 +33,14 @@ bool comes_back_from(const flow::Exit& exit) {
     return exit.kind == flow::ExitKind::returns || exit.kind == flow::ExitKind::runs_off;
 }
 
-/// How many edges each node is away from the nearest exit that leads back to the caller.
-std::vector<std::uint32_t> distances_to_return(const flow::Graph& graph) {
+using IsExit = bool (*)(const flow::Exit& exit);
+
+/// How many edges each node is away from the nearest such exit.
+std::vector<std::uint32_t> distances_to(const flow::Graph& graph, IsExit is_exit) {
     std::vector<std::uint32_t> distance(graph.nodes.size(), no_way);
     std::vector<flow::NodeId> exits;
     for (const flow::Exit& exit : graph.exits)
-        if (comes_back_from(exit) && distance[exit.node] != 0) {
+        if (is_exit(exit) && distance[exit.node] != 0) {
             distance[exit.node] = 0;
             exits.push_back(exit.node);
         }
@@ -48,10 +52,12 @@ std::vector<std::uint32_t> distances_to_return(const flow::Graph& graph) {
     return distance;
 }
 
-/// Whether a path comes back. Every node is tried with a few states, the nearest way first. Nothing where no
-/// path does, but nodes would have to be tried with further states.
-std::optional<bool> comes_back_at_first(const flow::Graph& graph, States& states, Transfer& transfer) {
-    const std::vector<std::uint32_t> distance = distances_to_return(graph);
+/// Whether a path leads to an exit of which the distances are. Every node is tried with a few states, the
+/// nearest way first. Nothing where no path does, but nodes would have to be tried with further states.
+/// `run(node, State)`: the state after the node, not reached where the path stops there.
+template<class Run>
+std::optional<bool> leaves_at_first(const flow::Graph& graph, const std::vector<std::uint32_t>& distance,
+                                    States& states, Transfer& transfer, const Run& run) {
     std::vector<SmallVector<State, 1>> tried(graph.nodes.size());
     bool all_tried = true;
     std::vector<std::pair<flow::NodeId, State>> ways{{0, states.at_entry()}};
@@ -66,7 +72,7 @@ std::optional<bool> comes_back_at_first(const flow::Graph& graph, States& states
             continue;
         }
         tried[node].push_back(before);
-        const State after = transfer.run(node, before);
+        const State after = run(node, before);
         if (!after.reached) continue;
         if (distance[node] == 0) return true;
         const auto first = static_cast<std::ptrdiff_t>(ways.size());
@@ -78,6 +84,15 @@ std::optional<bool> comes_back_at_first(const flow::Graph& graph, States& states
                                      [&](const auto& way) { return distance[way.first]; });
     }
     return all_tried ? std::optional(false) : std::nullopt;
+}
+
+EntryKnowledge with(EntryKnowledge knowledge, const KnownStart& start) {
+    knowledge.known = start.known;
+    if (start.arguments) {
+        knowledge.arguments = start.arguments;
+        knowledge.locals_are_callers = false;
+    }
+    return knowledge;
 }
 
 } // namespace
@@ -136,35 +151,45 @@ bool Analysis::comes_back(const KnownStart& start) const {
     });
 }
 
-EntryKnowledge Analysis::knowledge_with(const KnownStart& start) const {
-    EntryKnowledge knowledge = knowledge_;
-    knowledge.known = start.known;
-    if (start.arguments) {
-        knowledge.arguments = start.arguments;
-        knowledge.locals_are_callers = false;
-    }
-    return knowledge;
+Analysis Analysis::begun_with(const KnownStart& start, FactSet wanted) const {
+    return {*program_, *graph_, with(knowledge_, start), callees_, wanted};
 }
 
-Begun Analysis::begun_with(const KnownStart& start) const {
-    States states(*program_, knowledge_with(start));
-    Transfer transfer(*program_, *graph_, states, callees_);
+WaysAround::WaysAround(const Program& program, const flow::Graph& graph, const Analysis& analysis,
+                       std::vector<bool> nodes)
+    : program_(program)
+    , graph_(graph)
+    , analysis_(analysis)
+    , nodes_(std::move(nodes))
+    , distance_(
+          distances_to(graph, [](const flow::Exit& exit) { return exit.kind != flow::ExitKind::alarm; })) {}
+
+bool WaysAround::may_leave(const KnownStart& start, const StopsAt& stops) const {
+    States states(program_, with(analysis_.knowledge(), start));
+    Transfer transfer(program_, graph_, states, analysis_.callees());
     transfer.follow_no_calls();
-    StateDomain domain(*program_, states, transfer);
-    flow::Solution<State> solution;
-    flow::solve<flow::Direction::forward>(*graph_, domain, solution);
-    Begun begun;
-    for (const State& state : solution.before) begun.reached.push_back(state.reached);
-    for (const State& state : solution.along) begun.passable.push_back(state.reached);
-    return begun;
+    FactLists facts;
+    facts.record_only(dataflow::facts<CallBegun>());
+    const auto run = [&](flow::NodeId node, const State& before) {
+        if (!nodes_[node]) return transfer.run(node, before);
+        facts.of<CallBegun>().clear();
+        transfer.record_in(&facts);
+        const State after = transfer.run(node, before);
+        transfer.record_in(nullptr);
+        return stops(facts.of<CallBegun>()) ? State{} : after;
+    };
+    return leaves_at_first(graph_, distance_, states, transfer, run).value_or(true);
 }
 
 /// Most calls come back, and the first way that is tried shows it. Only where no way does are all looked at.
 bool Analysis::finds_way_back(const KnownStart& start) const {
-    States states(*program_, knowledge_with(start));
+    States states(*program_, with(knowledge_, start));
     Transfer transfer(*program_, *graph_, states, callees_);
     transfer.follow_no_calls();
-    if (const auto known = comes_back_at_first(*graph_, states, transfer)) return *known;
+    const auto run = [&](flow::NodeId node, const State& before) { return transfer.run(node, before); };
+    if (const auto known =
+            leaves_at_first(*graph_, distances_to(*graph_, comes_back_from), states, transfer, run))
+        return *known;
     StateDomain domain(*program_, states, transfer);
     flow::Solution<State> solution;
     flow::solve<flow::Direction::forward>(*graph_, domain, solution);

@@ -9,6 +9,7 @@
 #include "analyzer/program/tables.hpp"
 
 #include <algorithm>
+#include <optional>
 #include <utility>
 
 namespace maclint::dataflow {
@@ -52,7 +53,9 @@ class Summariser {
                 resume_labels_.add(program_, std::get<Return>(program_.effects[*exit.exit.effect].what));
         }
         summary_.resume_labels = resume_labels_.take();
-        if (summary_.returns && summary_.alarm_end.possible) summary_.decides_end = decides_end();
+        if (summary_.returns && summary_.alarm_end.possible) summary_.decides_end = with_decisions({});
+        if (const auto passed = passed_to_alarms()) summary_.decides_calls = with_sources(*passed);
+        summary_.asked_at_calls = asked_at_calls();
         summary_.written_for_callers = written_for_callers();
         if (!left.reached) return;
         for (std::size_t space = 0; space < most_spaces; ++space)
@@ -90,6 +93,7 @@ class Summariser {
 
     static constexpr std::size_t most_written = 1000;
     static constexpr std::size_t most_deciding = 32; ///< whose assignments are followed
+    static constexpr std::size_t most_of_words = 64; ///< that decide what words are
     /// Variables that a caller may have handed down and that this program, or one that it calls, writes; of
     /// too many it is not kept which.
     [[nodiscard]] std::optional<std::vector<std::string>> written_for_callers() const {
@@ -115,25 +119,73 @@ class Summariser {
         return written;
     }
 
-    /// The variables on which it depends how the program ends, and those that they are made of.
-    [[nodiscard]] std::vector<Variable> decides_end() const {
-        std::vector<Variable> deciding;
-        const auto add_all = [&](ExpressionId expression) {
-            for (const Variable variable : variables_of(program_, expression).variables)
-                if (!program_.control->spaces[variable.space].named &&
-                    std::ranges::find(deciding, variable) == deciding.end())
-                    deciding.push_back(variable);
-        };
-        (void)any_reached([&](const Effect& effect) {
-            if (const auto* guarded = std::get_if<Guarded>(&effect.what)) add_all(guarded->condition);
-            if (const auto* jump = std::get_if<Jump>(&effect.what)) add_all(jump->target);
-            return false;
-        });
-        // And what these are made of.
+    void add_all(std::vector<Variable>& variables, ExpressionId expression) const {
+        for (const Variable variable : variables_of(program_, expression).variables)
+            add_one(variables, variable);
+    }
+    void add_one(std::vector<Variable>& variables, Variable variable) const {
+        if (!program_.control->spaces[variable.space].named &&
+            std::ranges::find(variables, variable) == variables.end())
+            variables.push_back(variable);
+    }
+
+    /// With the variables on which it depends where the program goes, and those that all of them are made of.
+    [[nodiscard]] std::vector<Variable> with_decisions(std::vector<Variable> deciding) {
+        if (!decisions_) {
+            decisions_.emplace();
+            (void)any_reached([&](const Effect& effect) {
+                if (const auto* guarded = std::get_if<Guarded>(&effect.what))
+                    add_all(*decisions_, guarded->condition);
+                if (const auto* jump = std::get_if<Jump>(&effect.what)) add_all(*decisions_, jump->target);
+                return false;
+            });
+        }
+        for (const Variable variable : *decisions_) add_one(deciding, variable);
+        return with_sources(std::move(deciding));
+    }
+
+    /// With those that they are made of.
+    [[nodiscard]] std::vector<Variable> with_sources(std::vector<Variable> deciding) const {
         for (std::size_t next = 0; next < std::min(deciding.size(), most_deciding); ++next)
             for (const Store& store : facts_.of<Store>())
-                if (store.variable == deciding[next]) add_all(store.expression);
+                if (store.variable == deciding[next]) add_all(deciding, store.expression);
         return deciding;
+    }
+
+    /// What is passed to programs that end in an alarm for some of it, and what these find set; nothing where
+    /// it calls none.
+    [[nodiscard]] std::optional<std::vector<Variable>> passed_to_alarms() const {
+        std::optional<std::vector<Variable>> passed;
+        for (const CallMade& made : facts_.of<CallMade>()) {
+            const Summary& called = callees_(made.effect).summary;
+            const auto* call = std::get_if<Call>(&program_.effects[made.effect].what);
+            if (call == nullptr || (called.decides_end.empty() && called.decides_calls.empty())) continue;
+            if (!passed) passed.emplace();
+            const bool shared_frame = program_.control->calls[call->kind].frame == Frame::shared;
+            for (const auto* deciding : {&called.decides_end, &called.decides_calls})
+                for (const Variable variable : *deciding)
+                    if (shared_frame || program_.control->spaces[variable.space].scope != Scope::frame)
+                        add_one(*passed, variable);
+            for (const Argument& argument : program_.arguments_of(*call)) add_all(*passed, argument.value);
+        }
+        return passed;
+    }
+
+    [[nodiscard]] std::vector<Variable> asked_at_calls() {
+        std::vector<Variable> asked = summary_.decides_end;
+        if (!summary_.decides_calls.empty())
+            for (const Variable variable : with_decisions(summary_.decides_calls)) add_one(asked, variable);
+        std::vector<Variable> words;
+        const bool are_many = any_reached([&](const Effect& effect) {
+            if (const auto* values = std::get_if<EvaluateWords>(&effect.what))
+                for (const ExpressionId value : program_.values_of(*values)) add_all(words, value);
+            return words.size() > most_of_words;
+        });
+        if (words.empty() || are_many) return asked;
+        words = with_decisions(std::move(words));
+        if (words.size() > most_of_words) return asked;
+        for (const Variable variable : words) add_one(asked, variable);
+        return asked;
     }
 
     [[nodiscard]] bool may_stop() const {
@@ -188,6 +240,7 @@ class Summariser {
     const FactLists& facts_;
     const std::vector<bool>& reached_;
     Summary summary_;
+    std::optional<std::vector<Variable>> decisions_; ///< what conditions and jumps read
     CallersLabels resume_labels_;
 };
 

@@ -58,6 +58,11 @@ struct Summary {
     /// Variables that conditions and computed jumps read, where it may end in an alarm in place of a return:
     /// with what they are at a call it may be known that it does. None where a call tells nothing.
     std::vector<Variable> decides_end;
+    /// Variables that it passes to programs which may end in an alarm for it, and those that these find set.
+    std::vector<Variable> decides_calls;
+    /// All of these, those that decide over its ways there, and those that decide what the words of its
+    /// blocks are, unless they are too many.
+    std::vector<Variable> asked_at_calls;
     std::vector<VariableChange>
         variables; ///< all that it may write and the caller can see (locals for calls that share them)
     std::vector<SpaceId> havoc; ///< spaces of which anything may have changed

@@ -404,8 +404,8 @@ void Transfer::run_program(State& state, EffectId id, const Call& call) {
         !summary.known && (callee.is_switch || program_.control->calls[call.kind].brought_by_control);
     if (records<CallMade>() && !is_brought)
         facts_->add(CallMade{node_, id, summary.known, !summary.known || summary.may_stop});
-    if (records<CallBegun>() && (summary.alarm_end.always || !summary.decides_end.empty()))
-        record_begin(state, id, call, summary.decides_end);
+    if (records<CallBegun>() && (summary.alarm_end.always || !summary.asked_at_calls.empty()))
+        record_begin(state, id, call, summary.asked_at_calls);
     const bool shared_frame = program_.control->calls[call.kind].frame == Frame::shared;
     if (!comes_back(state, callee, call) && is_made_to_stop(summary)) {
         state.reached = false;

@@ -34,6 +34,7 @@ constexpr CallKindId g65 = 0, g66 = 1, g66_1 = 2, m98 = 3, m198 = 4;
 /// When feed and speed matter to no move.
 /// Of a mill (0), or a lathe with that system of G codes.
 [[nodiscard]] const MachineWords& machine_words(char system);
+[[nodiscard]] std::span<const Switch> switch_rows();
 [[nodiscard]] std::vector<Idle> idle_values(std::span<const ModalGroup> groups);
 [[nodiscard]] std::vector<VariableSpace> variable_spaces();
 /// What `#n` is; `groups` gives the rows that #4001 and the like read.

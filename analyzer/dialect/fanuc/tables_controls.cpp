@@ -122,6 +122,7 @@ ControlModel make(const ControlRow& row, char system) {
     control.options = options_of(row.model);
     control.idle = idle_values(control.groups);
     control.machine_words = &machine_words(system);
+    control.switches = switch_rows();
     control.first_free_code = 100; // parameters 6050-6059 make a G code of up to four digits call a macro [T]
     control.macro_numbers = {8000, 9999};           // T: those that parameter 3202 (NE8, NE9) protects
     control.repeatable = {"G", "M"};                // SEED-004:195; several M by parameter 3404#7

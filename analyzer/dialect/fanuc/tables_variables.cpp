@@ -36,6 +36,26 @@ void append_modal(std::vector<VariableRange>& ranges, std::int32_t first, std::s
     }
 }
 
+/// A row of outputs.
+constexpr VariableRange output(VariableRange range) {
+    range.is_output = true;
+    return range;
+}
+
+/// A row whose numbers go by axes.
+constexpr VariableRange by_axes(VariableRange range) {
+    constexpr std::int32_t numbers_of_a_set = 20; // SEED-001:1373-1389
+    range.numbers_of_a_set = numbers_of_a_set;
+    return range;
+}
+
+/// A row of work offsets, the first of them that of the code.
+constexpr VariableRange offsets_from(double code, VariableRange range) {
+    range = by_axes(range);
+    range.first_code = code;
+    return range;
+}
+
 /// What a control has in the place of the rows for all.
 // clang-format off
 constexpr std::string_view listed_letters = "T: the list of SEED-001:1358-1367 is whole; #4108 is E of the 30i";
@@ -74,7 +94,7 @@ constexpr VariableRange of_newer_haas[] = {
     {   10600,  10999, variable, spaces::retained,  0,    store,     false, "retained common variable",  "ZAPP-HAAS"},
     {   11000,  11063, machine,  spaces::machine,   0,    forbidden, true,  "input",                     "ZAPP-HAAS: 64 discrete inputs, for reading only", true},
     {   11064,  11255, machine,  spaces::machine,   0,    forbidden, true,  "input",                     "T", true},
-    {   12000,  12255, machine,  spaces::machine,   0,    store,     false, "output",                    "T", true},
+    output({12000, 12255, machine, spaces::machine, 0,    store,     false, "output",                    "T", true}),
     {   14001,  19999, machine,  spaces::machine,   0,    store,     false, "additional work offset",    "T: G154"},
 };
 // clang-format on
@@ -144,8 +164,9 @@ VariableFamily numbered_variables(std::span<const ModalGroup> groups, std::optio
     add({ 1000,   1015,  machine, here,             0,            forbidden, true,  "input from the PMC",                      "IMD-IO", true});
     add({ 1016,   1031,  machine, here,             0,            forbidden, true,  "input from the PMC",                      "T", true});
     add({ 1032,   1099,  machine, here,             0,            forbidden, true,  "input word from the PMC",                 "T"});
-    add({ 1100,   1131,  machine, here,             0,            store,     false, "output to the PMC",                       "T; HAAS-LA", true});
-    add({ 1132,   1199,  machine, here,             0,            store,     false, "output word to the PMC",                  "T"});
+    add(output({1100, 1131, machine, here,          0,            store,     false, "output to the PMC",                       "T; HAAS-LA", true}));
+    add(output({1132, 1135, machine, here,          0,            store,     false, "output word to the PMC",                  "T"}));
+    add({ 1136,   1199,  machine, here,             0,            store,     true,  "machine value",                           "unknown", false, false, true});
     add({ 1200,   1999,  machine, here,             0,            store,     true,  "machine value",                           "unknown", false, false, true});
     add({ 2000,   2999,  machine, here,             0,            store,     false, "tool or work offset",                     "SEED-001:1312-1333; T"});
     add({ 3000,   3000,  machine, here,             0,            alarm,     false, "macro alarm",                             "CNCCI: 100 to 255; ZAPP-ALM: 1 to 9999", false, false, false, 9999});
@@ -191,16 +212,18 @@ VariableFamily numbered_variables(std::span<const ModalGroup> groups, std::optio
     add({ 4519,   4519,  modal,   here,             speed,        forbidden, false, "speed S of the interrupted program",      "MITSU-389; T"});
     add({ 4520,   4530,  machine, here,             0,            forbidden, false, "modal value",                             "T"});
     add({ 4531,   4999,  absent,  here,             0,            forbidden, false, "no variable",                             "T: the lists of SEED-001:1337-1367 and MITSU-389 end before it"});
-    add({ 5000,   5020,  machine, here,             0,            forbidden, true,  "block end position",                      "SEED-001:1373"});
-    add({ 5021,   5040,  machine, here,             0,            forbidden, true,  "machine position",                        "SEED-001:1374; MAN-AINANO", false, false, false, {}, axes});
-    add({ 5041,   5060,  machine, here,             0,            forbidden, true,  "work position",                           "SEED-001:1375; MAN-AINANO", false, false, false, {}, axes});
-    add({ 5061,   5080,  machine, here,             0,            forbidden, true,  "skip position",                           "SEED-001:1376; NCT-183", false, false, false, {}, {}, true});
-    add({ 5081,   5100,  machine, here,             0,            forbidden, true,  "tool length offset in effect",            "SEED-001:1377; NCT-183"});
-    add({ 5101,   5120,  machine, here,             0,            forbidden, true,  "servo deviation",                         "SEED-001:1378"});
+    add({ 5000,   5000,  machine, here,             0,            forbidden, true,  "block end position",                      "SEED-001:1373"});
+    add(by_axes({5001, 5020, machine, here,         0,            forbidden, true,  "block end position",                      "SEED-001:1373"}));
+    add(by_axes({5021, 5040, machine, here,         0,            forbidden, true,  "machine position",                        "SEED-001:1374; MAN-AINANO", false, false, false, {}, axes}));
+    add(by_axes({5041, 5060, machine, here,         0,            forbidden, true,  "work position",                           "SEED-001:1375; MAN-AINANO", false, false, false, {}, axes}));
+    add(by_axes({5061, 5080, machine, here,         0,            forbidden, true,  "skip position",                           "SEED-001:1376; NCT-183", false, false, false, {}, {}, true}));
+    add(by_axes({5081, 5100, machine, here,         0,            forbidden, true,  "tool length offset in effect",            "SEED-001:1377; NCT-183"}));
+    add(by_axes({5101, 5120, machine, here,         0,            forbidden, true,  "servo deviation",                         "SEED-001:1378"}));
     add({ 5121,   5140,  machine, here,             0,            forbidden, true,  "handle interruption",                     "T: grinders read it"});
     add({ 5141,   5200,  machine, here,             0,            forbidden, true,  "machine value",                           "T"});
-    add({ 5201,   5220,  machine, here,             0,            store,     false, "external work offset",                    "SEED-001:1383"});
-    add({ 5221,   5400,  machine, here,             0,            store,     false, "work offset",                             "SEED-001:1384-1389"});
+    add(by_axes({5201, 5220, machine, here,         0,            store,     false, "external work offset",                    "SEED-001:1383"}));
+    add(offsets_from(54, {5221, 5340, machine, here, 0,           store,     false, "work offset",                             "SEED-001:1384-1389"}));
+    add({ 5341,   5400,  machine, here,             0,            store,     false, "work offset",                             "SEED-001:1384-1389"});
     add({ 5401,   6999,  machine, here,             0,            store,     true,  "machine value",                           "unknown", false, false, true});
     add({ 7000,   7999,  machine, here,             0,            store,     false, "additional work offset",                  "TENC-SYS"});
     add({ 8000,   9999,  machine, here,             0,            store,     true,  "machine value",                           "unknown", false, false, true});

@@ -1,0 +1,83 @@
+//! Asks the switches at each return.
+#include "rules/timing/look_ahead_limit_left_on_finder.hpp"
+
+#include "analyzer/machine/switch_states.hpp"
+#include "analyzer/program/block_view.hpp"
+#include "analyzer/queries/machine/switches_at.hpp"
+#include "analyzer/queries/machine/unfinished_moves.hpp"
+
+#include <cstddef>
+#include <map>
+#include <set>
+#include <span>
+#include <utility>
+
+namespace maclint::rules {
+namespace {
+
+/// Where the program switches the limit, and leaves.
+class Limit {
+  public:
+    Limit(const ProgramAnalysis& analysis, std::size_t of, const machine::SwitchesOfChannel& switches)
+        : analysis_(analysis)
+        , of_(of)
+        , switches_(switches) {
+        const machine::SwitchStepper stepper(analysis.control(), false);
+        // A block that stops look-ahead has effects of its own, and is none of the plain ones.
+        for_each_block_with_words(
+            analysis.program(), [](const WordSummary&) { return false; },
+            [&](const BlockView& block, std::span<const Word> words, const WordSummary*) {
+                machine::SwitchState state;
+                stepper.run(block, words, state);
+                if (state.all[of].is_surely_on()) on_.insert(block.span.begin);
+                if (state.all[of].is_surely_off()) ends_.emplace(block.span.begin, block.span);
+            });
+    }
+
+    [[nodiscard]] std::optional<LimitLeftOn> left_on() const {
+        std::optional<Span> end = unreached_end();
+        std::vector<flow::NodeId> returns;
+        Offset limit = machine::Switched::nowhere;
+        for (const flow::Exit& exit : analysis_.graph().exits) {
+            machine::SwitchState state = switches_.before(exit.node);
+            if (!state.is_reached || !analysis_.data().reached(exit.node)) continue;
+            switches_.run(exit.node, state);
+            const machine::Switched& at_exit = state.all[of_];
+            const auto ended = ends_.find(at_exit.off_at);
+            if (at_exit.is_surely_off() && ended != ends_.end() && !end) end = ended->second;
+            if (exit.kind != flow::ExitKind::returns || !at_exit.is_surely_on() ||
+                !on_.contains(at_exit.on_at))
+                continue;
+            if (returns.empty()) limit = at_exit.on_at;
+            returns.push_back(exit.node);
+        }
+        if (!end || returns.empty()) return std::nullopt;
+        return LimitLeftOn{limit, *end, std::move(returns)};
+    }
+
+  private:
+    /// A block that was to end it, and that no path leads to.
+    [[nodiscard]] std::optional<Span> unreached_end() const {
+        for (const auto& [begin, block] : ends_)
+            if (const auto node = analysis_.graph().node_of(block); node && !analysis_.data().reached(*node))
+                return block;
+        return std::nullopt;
+    }
+
+    const ProgramAnalysis& analysis_;
+    std::size_t of_;
+    const machine::SwitchesOfChannel& switches_;
+    std::set<Offset> on_;
+    std::map<Offset, Span> ends_;
+};
+
+} // namespace
+
+std::optional<LimitLeftOn> limit_left_on(const ProgramAnalysis& analysis) {
+    const auto of = queries::find_switch(analysis.control(), "limit of look-ahead");
+    if (!of || !queries::limits_look_ahead(analysis.program())) return std::nullopt;
+    const machine::SwitchesOfChannel* switches = analysis.switches().of(0);
+    return switches == nullptr ? std::nullopt : Limit(analysis, *of, *switches).left_on();
+}
+
+} // namespace maclint::rules
