@@ -4,6 +4,7 @@
 #include "rules/rule.hpp"
 
 #include <compare>
+#include <stop_token>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -19,8 +20,10 @@ struct BoundMet {
     friend auto operator<=>(const BoundMet&, const BoundMet&) = default;
 };
 
-/// As run_rules; adds to `met`, in no order and some of them twice.
+/// As run_rules; adds to `met`, in no order and some of them twice. Rules that have not begun when somebody
+/// asks to stop are left out.
 [[nodiscard]] std::vector<Finding> run_rules(const Workspace& workspace, const Selection& selection,
-                                             unsigned jobs, std::vector<BoundMet>& met);
+                                             unsigned jobs, std::vector<BoundMet>& met,
+                                             const std::stop_token& stop);
 
 } // namespace maclint

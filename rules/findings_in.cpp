@@ -86,10 +86,12 @@ std::vector<Finding> withheld_in(const Selection& selection, const Thing& thing)
 }
 
 template<class Thing>
-std::vector<Finding> find(const Selection& selection, const Thing& thing, std::vector<BoundMet>& met) {
+std::vector<Finding> find(const Selection& selection, const Thing& thing, std::vector<BoundMet>& met,
+                          const std::stop_token& stop) {
     std::vector<Finding> findings;
     std::vector<const Exemption*> off_in_blocks; // those rules share a pass
     for (const Rule* rule : selection.rules) {
+        if (stop.stop_requested()) return {};
         if (!applies_to(*rule, control_of(thing))) continue;
         const auto off = exemptions_of(*rule, off_in(selection.exemptions, *rule));
         if (shares_pass(*rule)) std::ranges::copy(off, std::back_inserter(off_in_blocks));
@@ -106,13 +108,13 @@ std::vector<Finding> find(const Selection& selection, const Thing& thing, std::v
 } // namespace
 
 std::vector<Finding> findings_in(const Selection& selection, const ProgramFile& file,
-                                 std::vector<BoundMet>& met) {
-    return find(selection, file, met);
+                                 std::vector<BoundMet>& met, const std::stop_token& stop) {
+    return find(selection, file, met, stop);
 }
 
 std::vector<Finding> findings_in(const Selection& selection, const ProgramAnalysis& program,
-                                 std::vector<BoundMet>& met) {
-    return find(selection, program, met);
+                                 std::vector<BoundMet>& met, const std::stop_token& stop) {
+    return find(selection, program, met, stop);
 }
 
 } // namespace maclint

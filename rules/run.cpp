@@ -50,11 +50,11 @@ dataflow::FactSet facts_for(const Selection& selection) {
 
 std::vector<Finding> run_rules(const Workspace& workspace, const Selection& selection, unsigned jobs) {
     std::vector<BoundMet> met;
-    return run_rules(workspace, selection, jobs, met);
+    return run_rules(workspace, selection, jobs, met, {});
 }
 
 std::vector<Finding> run_rules(const Workspace& workspace, const Selection& selection, unsigned jobs,
-                               std::vector<BoundMet>& met) {
+                               std::vector<BoundMet>& met, const std::stop_token& stop) {
     Selection with_rows = selection;
     if (with_rows.rows == nullptr) with_rows.rows = RowIndexes::of_all(selection.rules);
     std::vector<const ProgramFile*> files;
@@ -68,10 +68,10 @@ std::vector<Finding> run_rules(const Workspace& workspace, const Selection& sele
     std::vector<std::vector<BoundMet>> bounds(parts.size());
     for_each_parallel(parts.size(), jobs, [&](std::size_t i) {
         if (i < files.size()) {
-            parts[i] = findings_in(with_rows, *files[i], bounds[i]);
+            parts[i] = findings_in(with_rows, *files[i], bounds[i], stop);
         } else {
             const ProgramAnalysis& program = *programs[i - files.size()];
-            parts[i] = findings_in(with_rows, program, bounds[i]);
+            parts[i] = findings_in(with_rows, program, bounds[i], stop);
             if (shares_labels(program)) bounds[i].push_back({path_of(program), {}});
             program.search_memory().forget();
         }

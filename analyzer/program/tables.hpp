@@ -167,7 +167,7 @@ struct ControlModel {
     std::string axes = {}; ///< letters of those that the machine has: "XYZA"; empty: nobody says
     bool calculator_input =
         false; ///< a length without a point counts in millimetres or inches: X100 is X100.
-    /// Empty: the codes of a modal group exclude each other.
+    /// Where none names G codes, those of a modal group exclude each other.
     std::vector<ExclusiveCodes> exclusive_codes = {};
     /// Which words move its axes and choose its tools; nullptr: nobody has said it.
     const MachineWords* machine_words = nullptr;

@@ -10,6 +10,7 @@
 #include "analyzer/dialect/ascii.hpp"
 #include "analyzer/flow/components.hpp"
 #include "analyzer/program/tables.hpp"
+#include "analyzer/workspace/analyse_until.hpp"
 #include "analyzer/workspace/bind.hpp"
 #include "analyzer/workspace/callers_locals.hpp"
 #include "analyzer/workspace/handed_down.hpp"
@@ -36,13 +37,24 @@ constexpr dataflow::FactSet own_facts =
 class WorkspaceBuilder {
   public:
     WorkspaceBuilder(Workspace& workspace, std::deque<ProgramAnalysis>& programs,
-                     const WorkspaceOptions& options)
+                     const WorkspaceOptions& options, const std::stop_token& stop)
         : workspace_(workspace)
         , programs_(programs)
+        , stop_(stop)
         , jobs_(options.jobs)
         , facts_(options.facts | own_facts) {}
 
-    void run() {
+    static std::unique_ptr<Workspace> build(std::vector<WorkspaceFile> files, const WorkspaceOptions& options,
+                                            const std::stop_token& stop) {
+        std::unique_ptr<Workspace> workspace(new Workspace);
+        workspace->files_ = std::move(files);
+        if (!WorkspaceBuilder(*workspace, *workspace->programs_, options, stop).run()) return nullptr;
+        return workspace;
+    }
+
+  private:
+    /// False where somebody has asked to stop.
+    bool run() {
         for (const WorkspaceFile& file : workspace_.files())
             for (const Program& program : file.file->programs)
                 programs_.emplace_back(workspace_, static_cast<ProgramIndex>(programs_.size()), file,
@@ -59,11 +71,12 @@ class WorkspaceBuilder {
                                            (may_be_computed(analysis) && !runs_on_its_own(analysis));
                                 });
         for (const auto& layer : flow::layers_of(adjacency_, components_)) analyse_layer(layer);
+        if (stop_.stop_requested()) return false;
         mark_cycles();
         measure_depth();
+        return true;
     }
 
-  private:
     void resolve_calls() {
         const auto files = workspace_.files();
         std::vector<FileOutline> outlines(files.size());
@@ -281,7 +294,9 @@ class WorkspaceBuilder {
         for (const std::uint32_t component : layer)
             for (const ProgramIndex member : components_.members[component])
                 if (needed_[member]) members.push_back(member);
-        for_each_parallel(members.size(), jobs_, [&](std::size_t i) { analyse(programs_[members[i]]); });
+        for_each_parallel(members.size(), jobs_, [&](std::size_t i) {
+            if (!stop_.stop_requested()) analyse(programs_[members[i]]);
+        });
     }
 
     [[nodiscard]] bool is_in_cycle(ProgramIndex program) const {
@@ -515,6 +530,7 @@ class WorkspaceBuilder {
 
     Workspace& workspace_;
     std::deque<ProgramAnalysis>& programs_;
+    const std::stop_token& stop_;
     unsigned jobs_;
     dataflow::FactSet facts_;
     flow::Adjacency adjacency_;
@@ -572,10 +588,12 @@ std::size_t Workspace::count_named(std::string_view name) const {
 
 std::unique_ptr<Workspace> Workspace::analyse(std::vector<WorkspaceFile> files,
                                               const WorkspaceOptions& options) {
-    std::unique_ptr<Workspace> workspace(new Workspace);
-    workspace->files_ = std::move(files);
-    WorkspaceBuilder(*workspace, *workspace->programs_, options).run();
-    return workspace;
+    return analyse_until({}, std::move(files), options);
+}
+
+std::unique_ptr<Workspace> analyse_until(const std::stop_token& stop, std::vector<WorkspaceFile> files,
+                                         const WorkspaceOptions& options) {
+    return WorkspaceBuilder::build(std::move(files), options, stop);
 }
 
 } // namespace maclint

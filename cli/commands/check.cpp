@@ -249,7 +249,8 @@ int run_check(const CheckRequest& request) {
         progress.reset();
         return std::max(print_text(files.text), exit_of(notices));
     } else {
-        auto opened = Gate::open(request, snapshot);
+        BaselineStore baselines;
+        auto opened = Gate::open(request, snapshot, baselines);
         if (const auto* refused = std::get_if<Notice>(&opened)) {
             progress.reset();
             print_notice(*refused);

@@ -228,6 +228,8 @@ FileFacts facts_of(const SnapshotFile& file, const ReadFile& read) {
     if (settings.configuration && !settings.configuration->words.empty())
         facts.add("words of the shop", std::to_string(settings.configuration->words.size()),
                   settings.configuration->said_in("words"));
+    if (settings.configuration && settings.configuration->spacing != SpacingChoice())
+        facts.add("spacing", "formatted by choice", settings.configuration->said_in("spacing"));
     facts.add("encoding", std::string(name_of(read.source->stored_encoding())));
     add_rules(*settings.rules, facts);
     return facts;

@@ -11,6 +11,7 @@
 #include "cli/config/own_control.hpp"
 #include "cli/config/reach.hpp"
 #include "cli/config/shop_words.hpp"
+#include "cli/config/spacing_choice.hpp"
 #include "cli/notice.hpp"
 #include "rules/finding.hpp"
 
@@ -81,6 +82,7 @@ struct Configuration {
     bool vendor_by_remarks = true; ///< elsewhere the first remarks of a program tell
     std::optional<Encoding> encoding;
     ShopWords words;
+    SpacingChoice spacing;
     bool complete = false;
     std::shared_ptr<const ListedNames> known_names; ///< nullptr: it lists none
     std::string baseline; ///< path as it is shown, from the working folder; empty: none

@@ -62,8 +62,8 @@ class Loader {
     };
 
     /// The keys of the top level.
-    static const std::array<Key, 16>& keys() {
-        static constexpr std::array<Key, 16> rows{{
+    static const std::array<Key, 17>& keys() {
+        static constexpr std::array<Key, 17> rows{{
             {"$schema", &Loader::skip},
             {"extends", &Loader::skip},
             {"controls", &Loader::read_controls},
@@ -80,6 +80,7 @@ class Loader {
             {"encoding", &Loader::read_encoding},
             {"baseline", &Loader::read_baseline},
             {"words", &Loader::read_words},
+            {"spacing", &Loader::read_spacing},
         }};
         return rows;
     }
@@ -503,6 +504,27 @@ class Loader {
             require_words(meaning, member.node.span, "what '" + member.key + "' means");
             configuration_->words.try_emplace(*word, meaning);
         }
+    }
+
+    void read_spacing(const JsonNode& node) {
+        SpacingChoice& spacing = configuration_->spacing;
+        const std::vector<std::string> known = {"words", "operators", "brackets"};
+        for (const JsonMember& member : object(node, "'spacing'")) {
+            const auto which = std::ranges::find(known, member.key) - known.begin();
+            if (which == std::ssize(known)) reject_key(member, known);
+            Blanks& blanks = which == 0 ? spacing.words : which == 1 ? spacing.operators : spacing.brackets;
+            blanks = blanks_named(member.node, "'" + member.key + "'");
+            if (&blanks == &spacing.brackets && blanks == Blanks::one)
+                reject(member.node.span,
+                       "'brackets' takes \"none\" alone. Leave it out to keep what stands there");
+        }
+    }
+
+    [[nodiscard]] Blanks blanks_named(const JsonNode& node, const std::string& what) const {
+        const std::string& name = text(node, what);
+        if (name != "one" && name != "none")
+            reject(node.span, what + " is \"one\" or \"none\". Leave it out to keep what stands there");
+        return name == "one" ? Blanks::one : Blanks::none;
     }
 
     // ---- values of a kind

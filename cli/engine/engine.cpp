@@ -5,6 +5,7 @@
 #include "analyzer/program/model.hpp"
 #include "analyzer/source/platform/files.hpp"
 #include "analyzer/source/platform/paths.hpp"
+#include "analyzer/workspace/analyse_until.hpp"
 #include "analyzer/workspace/groups.hpp"
 #include "analyzer/workspace/parallel.hpp"
 #include "analyzer/workspace/program_analysis.hpp"
@@ -198,6 +199,7 @@ class Run {
         std::vector<FileRules> rules;
         std::vector<Finding> findings;
         for (const std::size_t i : group) {
+            if (stop_.stop_requested()) return {};
             const SnapshotFile& file = snapshot_.files[i];
             const auto programs = held.emplace_back(programs_of(i));
             if (programs == nullptr) continue;
@@ -249,22 +251,23 @@ class Run {
 
     std::unique_ptr<Workspace> analyse(std::vector<WorkspaceFile> members, WorkspaceOptions options) {
         const Stopwatches::Running running(watches_.analysis);
-        auto workspace = Workspace::analyse(std::move(members), options);
-        watches_.programs += workspace->programs().size();
+        auto workspace = analyse_until(stop_, std::move(members), options);
+        if (workspace != nullptr) watches_.programs += workspace->programs().size();
         return workspace;
     }
 
-    /// The workspace goes before anybody judges what was found: both may be large.
+    /// The workspace goes before anybody judges what was found: both may be large. Nothing is found, or not
+    /// all, where somebody has asked to stop.
     std::vector<Finding> find_in(std::vector<WorkspaceFile> members, const Selection& selection,
                                  unsigned jobs) {
         const auto workspace = analyse(std::move(members), {.jobs = jobs, .facts = facts_for(selection)});
-        return find(*workspace, selection, jobs);
+        return workspace == nullptr ? std::vector<Finding>() : find(*workspace, selection, jobs);
     }
 
     std::vector<Finding> find(const Workspace& workspace, const Selection& selection, unsigned jobs) {
         const Stopwatches::Running running(watches_.rules);
         std::vector<BoundMet> met;
-        auto findings = run_rules(workspace, selection, jobs, met);
+        auto findings = run_rules(workspace, selection, jobs, met, stop_);
         bounds_.add(met);
         for (const ProgramAnalysis& program : workspace.programs()) {
             const SearchCounts counts = program.search_memory().counts();

@@ -72,11 +72,12 @@ std::optional<Notice> leave_unchanged_out(Result& result, const ChangedLines& ch
 
 } // namespace
 
-std::variant<Gate, Notice> Gate::open(const CheckRequest& request, const Snapshot& snapshot) {
+std::variant<Gate, Notice> Gate::open(const CheckRequest& request, const Snapshot& snapshot,
+                                      BaselineStore& store) {
     Gate gate;
     auto known = KnownFindings::read(
         {request.overrides.baseline, request.write_baseline, request.prune_baseline, request.fail_on_gone},
-        snapshot);
+        snapshot, store);
     if (auto* notice = std::get_if<Notice>(&known)) return std::move(*notice);
     gate.known_ = std::get<KnownFindings>(std::move(known));
     if (request.since.empty()) return gate;

@@ -16,9 +16,10 @@ namespace maclint::cli {
 
 class Gate {
   public:
-    /// Reads baselines and asks git, before files are analysed. What is wrong ends the run.
+    /// Reads baselines, those that have changed since the store was asked last, and asks git, before files
+    /// are analysed. What is wrong ends the run.
     [[nodiscard]] static std::variant<Gate, Notice> open(const CheckRequest& request,
-                                                         const Snapshot& snapshot);
+                                                         const Snapshot& snapshot, BaselineStore& store);
 
     [[nodiscard]] bool has_baseline() const { return known_.in_use(); }
     [[nodiscard]] bool has_stale_entries() const { return known_.has_stale_entries(); }

@@ -182,7 +182,8 @@ Notice write(const std::string& path, const Share& share, Fingerprints& prints) 
 
 } // namespace
 
-std::variant<KnownFindings, Notice> KnownFindings::read(BaselineWishes wishes, const Snapshot& snapshot) {
+std::variant<KnownFindings, Notice> KnownFindings::read(BaselineWishes wishes, const Snapshot& snapshot,
+                                                        BaselineStore& store) {
     KnownFindings known;
     known.wishes_ = std::move(wishes);
     std::set<std::string> paths;
@@ -190,9 +191,9 @@ std::variant<KnownFindings, Notice> KnownFindings::read(BaselineWishes wishes, c
     for (const SnapshotFile& file : snapshot.files)
         if (file.input.asked && !file.settings.baseline.empty()) paths.insert(file.settings.baseline);
     for (const std::string& path : paths) {
-        auto baseline = read_baseline(path, known.wishes_.named_by());
+        auto baseline = store.read(path, known.wishes_.named_by());
         if (auto* notice = std::get_if<Notice>(&baseline)) return std::move(*notice);
-        known.baselines_[path] = std::get<Baseline>(std::move(baseline));
+        known.baselines_[path] = std::get<std::shared_ptr<const Baseline>>(std::move(baseline));
     }
     if ((known.wishes_.prune || known.wishes_.fail_on_gone) && paths.empty())
         return Notice{NoticeKind::configuration, "",
@@ -211,7 +212,8 @@ std::vector<Notice> KnownFindings::mark(const Snapshot& snapshot, Result& result
     std::vector<Notice> notices;
     has_stale_entries_ = false;
     Fingerprints prints;
-    for (const auto& [path, baseline] : baselines_) {
+    for (const auto& [path, kept] : baselines_) {
+        const Baseline& baseline = *kept;
         const Share share =
             share_of(path, snapshot, result, prints,
                      [&path = path](const SnapshotFile& file) { return file.settings.baseline == path; });

@@ -4,9 +4,11 @@
 #include "cli/engine/engine.hpp"
 #include "cli/engine/snapshot.hpp"
 #include "cli/gate/baseline_file.hpp"
+#include "cli/gate/baseline_store.hpp"
 #include "cli/notice.hpp"
 
 #include <map>
+#include <memory>
 #include <string>
 #include <variant>
 #include <vector>
@@ -29,8 +31,8 @@ struct BaselineWishes {
 class KnownFindings {
   public:
     /// What is wrong ends the run.
-    [[nodiscard]] static std::variant<KnownFindings, Notice> read(BaselineWishes wishes,
-                                                                  const Snapshot& snapshot);
+    [[nodiscard]] static std::variant<KnownFindings, Notice>
+    read(BaselineWishes wishes, const Snapshot& snapshot, BaselineStore& store);
 
     [[nodiscard]] bool in_use() const { return !baselines_.empty() || !wishes_.write.empty(); }
 
@@ -41,7 +43,7 @@ class KnownFindings {
 
   private:
     BaselineWishes wishes_;
-    std::map<std::string, Baseline> baselines_; ///< by path
+    std::map<std::string, std::shared_ptr<const Baseline>> baselines_; ///< by path
     bool has_stale_entries_ = false;
 };
 

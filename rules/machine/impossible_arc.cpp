@@ -6,7 +6,6 @@
 #include "rules/machine_check.hpp"
 #include "rules/path.hpp"
 
-
 namespace maclint::rules {
 
 namespace {

@@ -300,6 +300,9 @@ TEST(Configuration, TellsUnknownKeysWithTheirPlaceAndTheLikelyOne) {
     EXPECT_THAT(refusal(R"({"words": {"M8": "a", "m08": "b"}})"), HasSubstr("says what 'M8' is twice"));
     EXPECT_THAT(refusal(R"({"words": {"M8": 8}})"), HasSubstr("what a word means must be a text"));
     EXPECT_THAT(refusal(R"({"words": ["M8"]})"), HasSubstr("'words' must be an object"));
+    EXPECT_THAT(refusal(R"({"spacing": {"words": "two"}})"), HasSubstr("'words' is \"one\" or \"none\""));
+    EXPECT_THAT(refusal(R"({"spacing": {"brackets": "one"}})"), HasSubstr("takes \"none\" alone"));
+    EXPECT_THAT(refusal(R"({"spacing": {"word": "one"}})"), HasSubstr("Did you mean 'words'?"));
     EXPECT_THAT(refusal(R"({"ignore": "MAC301"})"), HasSubstr("must be a list"));
     EXPECT_THAT(refusal(R"({"complete": 1})"), HasSubstr("true or false"));
     EXPECT_THAT(refusal(R"({"known-names": ["A*B"]})"), HasSubstr("letters, digits and _"));
@@ -327,6 +330,7 @@ const std::vector<std::string>& texts() {
         R"({"encoding": @})",
         R"({"words": {@: "conveyor"}})",
         R"({"words": {"M53": @}})",
+        R"({"spacing": {"words": @}})",
         R"({"include": [@]})",
         R"({"exclude": ["a", @]})",
         R"({"select": [@]})",

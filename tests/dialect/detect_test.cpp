@@ -104,8 +104,8 @@ TEST(Detection, SinumerikIsToldByItsExtensionOrItsWords) {
     EXPECT_EQ(reported_of("; rough\nG0 X=R1\nIF R1>5 GOTOF NEXT\nR3=R1\nNEXT:\nM30 ; done"), "sinumerik");
     for (const char* text :
          {"G17 G54\nT=\"MILL_D10\" D1 M6\nM30\n", "DEF INT COUNT\nG0 X5\nM30\n",
-          "G0 Z=IC(20)\nG0 X20 Z=AC(10)\n", "TRANS X50 Y20\nAROT Z30\nG0 X0\n",
-          "DEFINE MIST AS M27\nM30\n", "G1 X25 RND=2 F300\nG1 Y5 CHF=1\n", "G0 X0 SPOS=0\nG331 Z-15 K1.25\nG0 Z5 SPOS=90\n"})
+          "G0 Z=IC(20)\nG0 X20 Z=AC(10)\n", "TRANS X50 Y20\nAROT Z30\nG0 X0\n", "DEFINE MIST AS M27\nM30\n",
+          "G1 X25 RND=2 F300\nG1 Y5 CHF=1\n", "G0 X0 SPOS=0\nG331 Z-15 K1.25\nG0 Z5 SPOS=90\n"})
         EXPECT_EQ(reported_of(text), "sinumerik") << text;
 }
 

@@ -34,7 +34,7 @@ struct BoundedRun {
 BoundedRun run_over(std::string_view code, const std::vector<test::NamedText>& files) {
     const auto workspace = test::analyse_files(files, {.complete = false, .jobs = 1});
     BoundedRun met;
-    met.findings = run_rules(*workspace, {{find_rule(code)}}, 1, met.bounds);
+    met.findings = run_rules(*workspace, {{find_rule(code)}}, 1, met.bounds, {});
     return met;
 }
 

@@ -73,8 +73,8 @@ class BlockLowering : private TreeLowering {
     void restart_on_request(const Node& node);
     void lower_repetition(const Node& node);
     [[nodiscard]] ExpressionId jump_target(const Node& node);
-    [[nodiscard]] ExpressionId label_named(std::string_view name, Span span);
-    [[nodiscard]] ExpressionId nobody_knows(Span span);
+    [[nodiscard]] ExpressionId label_named(std::string_view name, Span here);
+    [[nodiscard]] ExpressionId nobody_knows(Span here);
 
     // ---- programs and calls (lower_calls.cpp)
     void lower_program_definition(const Node& node);

@@ -53,24 +53,30 @@ class Reader {
                     name->is_blank = section.kind == "BLANK" || section.kind == "AUXIL_BLANK";
                     names_.described.push_back(*name);
                 }
+            if (describes) // a call without arguments has no words
+                for_each_block_with_effects(program, section.items,
+                                            [&](const BlockView& block) { look_for_others(program, block); });
             for_each_block_with_words(
                 program, section.items, [](const PlainRun&, const auto&) {}, // no text stands in plain blocks
                 [](const WordSummary&) { return true; },
-                [&](const BlockView& block, std::span<const Word> words, const WordSummary*) {
-                    read(program, block, words, describes);
+                [&](const BlockView&, std::span<const Word> words, const WordSummary*) {
+                    read(program, words, describes);
                 });
         }
     }
 
   private:
-    void read(const Program& program, const BlockView& block, std::span<const Word> words, bool describes) {
+    /// Who else may describe contours, and when.
+    void look_for_others(const Program& program, const BlockView& block) {
         for (const Effect& effect : program.effects_in(block.effects)) {
-            if (!describes) break;
             names_.has_branches |= std::holds_alternative<RegionMark>(effect.what);
             if (std::holds_alternative<Call>(effect.what) ||
                 std::holds_alternative<UnreadableBlock>(effect.what))
                 names_.is_complete = false;
         }
+    }
+
+    void read(const Program& program, std::span<const Word> words, bool describes) {
         const auto word = std::ranges::find(words, name_word, &Word::address);
         if (word == words.end()) return;
         const auto name = text_of(program, *word);

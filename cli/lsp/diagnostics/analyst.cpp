@@ -171,7 +171,7 @@ void Analyst::again(const Pass& pass) {
 
 /// Baselines and programs of makers, as on the command line.
 void Analyst::judge(const Snapshot& snapshot, Result& result) {
-    auto gate = Gate::open(CheckRequest{}, snapshot);
+    auto gate = Gate::open(CheckRequest{}, snapshot, baselines_);
     if (const auto* refused = std::get_if<Notice>(&gate)) return tell({*refused});
     (void)std::get<Gate>(gate).judge(snapshot, result);
 }

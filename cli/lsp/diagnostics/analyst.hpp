@@ -3,6 +3,7 @@
 
 #include "analyzer/source/platform/threads.hpp"
 #include "cli/engine/engine.hpp"
+#include "cli/gate/baseline_store.hpp"
 #include "cli/lsp/diagnostics/finding_store.hpp"
 #include "cli/lsp/diagnostics/work_progress.hpp"
 #include "cli/lsp/documents/documents.hpp"
@@ -75,6 +76,7 @@ class Analyst {
     PositionEncoding encoding_ = PositionEncoding::utf16;
     Progress progress_{Progress::Shown::never};
     Engine engine_;
+    BaselineStore baselines_;
     std::optional<WorkProgress> shown_progress_;
     std::set<std::string> published_; ///< URIs that findings stand at
 

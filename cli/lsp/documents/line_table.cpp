@@ -5,6 +5,16 @@
 #include <utility>
 
 namespace maclint::cli::lsp {
+namespace {
+
+/// Each byte is a column, and looking at them costs less than asking the index.
+bool is_short_ascii(std::string_view text) {
+    constexpr std::size_t is_short = 256; // bytes
+    return text.size() <= is_short &&
+           std::ranges::all_of(text, [](char c) { return static_cast<unsigned char>(c) < 0x80; });
+}
+
+} // namespace
 
 LineTable::LineTable(Source source, PositionEncoding encoding)
     : source_(std::move(source))
@@ -29,6 +39,7 @@ Span LineTable::line(std::size_t number) const {
 
 std::size_t LineTable::column(Offset begin, Offset offset) const {
     const Span part{begin, std::max(begin, offset)};
+    if (is_short_ascii(source_.bytes(part))) return part.length();
     if (encoding_ == PositionEncoding::utf16)
         return source_.position(part.end).column - source_.position(begin).column;
     return source_.encoding() == Encoding::utf8 ? part.length() : source_.to_utf8(source_.bytes(part)).size();

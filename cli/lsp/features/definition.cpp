@@ -3,6 +3,7 @@
 
 #include "analyzer/workspace/bind.hpp"
 #include "cli/lsp/features/block_numbers.hpp"
+#include "cli/lsp/features/contour_names.hpp"
 #include "cli/lsp/mentions/sightings.hpp"
 
 #include <algorithm>
@@ -68,6 +69,7 @@ Json of_programs(Session& session, const PointedName& name) {
 
 Json definition(Session& session, const Json& params) {
     if (Json block = block_definition(session, params); !block.is_null()) return block;
+    if (Json contour = contour_definition(session, params); !contour.is_null()) return contour;
     const auto name = name_pointed_at(session, params);
     if (!name) return nullptr;
     const Named& named = name->mention.named;

@@ -5,6 +5,7 @@
 #include "analyzer/program/block_view.hpp"
 #include "analyzer/program/model.hpp"
 #include "analyzer/program/tables.hpp"
+#include "analyzer/queries/contours/contour_names.hpp"
 #include "cli/lsp/features/read_document.hpp"
 
 #include <algorithm>
@@ -36,10 +37,11 @@ std::string comment_in(std::string_view line, const Dialect& dialect) {
 
 class Outline {
   public:
-    Outline(const ReadText& text, const Program& program)
+    Outline(const ReadText& text, const Program& program, const queries::ContourNames& contours)
         : text_(text)
         , program_(program) {
         add_sections();
+        add_contours(contours);
         add_tools();
         add_names();
         std::ranges::stable_sort(symbols_, {}, [](const Symbol& symbol) { return symbol.shown.begin; });
@@ -67,6 +69,16 @@ class Outline {
                 whole = join(whole, program_.span_of(section.items.first + section.items.count - 1));
             symbols_.push_back({std::string(section.kind), SymbolKind::section, whole, section.heading});
         }
+    }
+
+    void add_contours(const queries::ContourNames& contours) {
+        Span whole = program_.span; // headings before the first block are not in it
+        for (const Section& section : program_.sections)
+            if (!section.heading.empty()) whole = join(whole, section.heading);
+        for (const queries::ContourName& contour : contours.described)
+            if (whole.begin <= contour.span.begin && contour.span.end <= whole.end)
+                symbols_.push_back(
+                    {text_.source().to_utf8(contour.name), SymbolKind::label, contour.span, contour.span});
     }
 
     void add_tools() {
@@ -123,8 +135,9 @@ Json document_symbols(Session& session, const Json& params) {
     const auto text = read_document(session, params);
     Json list = Json::array();
     if (text == nullptr) return list;
+    const queries::ContourNames contours = queries::contour_names(text->programs());
     for (const Program& program : text->programs().programs) {
-        const Outline outline(*text, program);
+        const Outline outline(*text, program, contours);
         const Symbol whole = outline.of_program();
         if (!session.client.nested_symbols) {
             list.push_back(flat(whole, *text, ""));

@@ -8,6 +8,7 @@
 #include "cli/lsp/features/definition.hpp"
 #include "cli/lsp/features/document_symbols.hpp"
 #include "cli/lsp/features/folding.hpp"
+#include "cli/lsp/features/formatting.hpp"
 #include "cli/lsp/features/hover.hpp"
 #include "cli/lsp/features/inlay_hints.hpp"
 #include "cli/lsp/features/references.hpp"
@@ -19,7 +20,7 @@
 namespace maclint::cli::lsp {
 namespace {
 
-constexpr std::array<Method, 18> methods{{
+constexpr std::array<Method, 20> methods{{
     {"callHierarchy/incomingCalls", incoming_calls},
     {"callHierarchy/outgoingCalls", outgoing_calls},
     {"completionItem/resolve", resolve_completion},
@@ -29,10 +30,12 @@ constexpr std::array<Method, 18> methods{{
     {"textDocument/documentHighlight", document_highlight},
     {"textDocument/documentSymbol", document_symbols},
     {"textDocument/foldingRange", folding_ranges},
+    {"textDocument/formatting", formatting},
     {"textDocument/hover", hover},
     {"textDocument/inlayHint", inlay_hints},
     {"textDocument/prepareCallHierarchy", prepare_call_hierarchy},
     {"textDocument/prepareRename", prepare_rename},
+    {"textDocument/rangeFormatting", range_formatting},
     {"textDocument/references", references},
     {"textDocument/rename", rename},
     {"textDocument/semanticTokens/full", semantic_tokens},
@@ -50,6 +53,8 @@ Json feature_capabilities() {
             {"completionProvider", {{"triggerCharacters", {"#", "\""}}, {"resolveProvider", true}}},
             {"definitionProvider", true},
             {"documentHighlightProvider", true},
+            {"documentFormattingProvider", true},
+            {"documentRangeFormattingProvider", true},
             {"documentSymbolProvider", true},
             {"foldingRangeProvider", true},
             {"hoverProvider", true},

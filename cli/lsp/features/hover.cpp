@@ -115,7 +115,10 @@ class Speech {
         if (const auto* argument = std::get_if<ArgumentName>(&mention.named))
             add(mention.span, words_of_argument(program, *argument));
         if (!std::holds_alternative<Variable>(mention.named)) return;
-        add(mention.span, value_of(place, mention));
+        if (const auto values = KnownValues::of(session_, held_)) {
+            add(mention.span, value_of(*values, place, mention));
+            add(mention.span, words_of_passed(*values, place, std::get<Variable>(mention.named)));
+        }
         add(mention.span, places_set(program, mention));
     }
 
@@ -129,12 +132,24 @@ class Speech {
                " of the called program";
     }
 
-    /// What the analysis knows of it, where that can be asked while somebody waits.
-    [[nodiscard]] std::string value_of(std::size_t place, const Mention& mention) const {
-        const auto values = KnownValues::of(session_, held_);
-        const std::string value = values == nullptr ? "" : values->value_at(place, mention);
+    /// What the analysis knows of it.
+    [[nodiscard]] static std::string value_of(const KnownValues& values, std::size_t place,
+                                              const Mention& mention) {
+        const std::string value = values.value_at(place, mention);
         if (value.empty()) return value;
         return (mention.role == Mention::Role::stores ? "Stored here: " : "Here: ") + value;
+    }
+
+    /// "Callers pass `100.`, `250.`"
+    [[nodiscard]] static std::string words_of_passed(const KnownValues& values, std::size_t place,
+                                                     const Variable& variable) {
+        constexpr std::size_t most = 5;
+        const auto passed = values.passed_for(place, variable);
+        std::string text;
+        for (std::size_t i = 0; i < std::min(most, passed.size()); ++i)
+            text += (i == 0 ? "Callers pass `" : ", `") + passed[i] + "`";
+        if (passed.size() > most) text += " and " + std::to_string(passed.size() - most) + " more";
+        return text;
     }
 
     [[nodiscard]] std::string places_set(const Program& program, const Mention& mention) const {

@@ -2,6 +2,7 @@
 #include "cli/lsp/features/references.hpp"
 
 #include "cli/lsp/features/block_numbers.hpp"
+#include "cli/lsp/features/contour_names.hpp"
 #include "cli/lsp/mentions/sightings.hpp"
 
 #include <iterator>
@@ -52,6 +53,7 @@ Json of_programs(Session& session, const PointedName& name, bool with_declaratio
 
 Json references(Session& session, const Json& params) {
     if (Json blocks = block_references(session, params); !blocks.is_null()) return blocks;
+    if (Json contours = contour_references(session, params); !contours.is_null()) return contours;
     Json list = Json::array();
     const auto name = name_pointed_at(session, params);
     if (!name) return list;
@@ -68,6 +70,7 @@ Json references(Session& session, const Json& params) {
 
 Json document_highlight(Session& session, const Json& params) {
     if (Json blocks = block_highlight(session, params); !blocks.is_null()) return blocks;
+    if (Json contours = contour_highlight(session, params); !contours.is_null()) return contours;
     Json list = Json::array();
     const auto name = name_pointed_at(session, params);
     if (!name || is_of_program(*name)) return list;

@@ -4,6 +4,7 @@
 #include "analyzer/program/language_words.hpp"
 #include "analyzer/program/tables.hpp"
 #include "cli/lsp/features/block_numbers.hpp"
+#include "cli/lsp/features/contour_names.hpp"
 #include "cli/lsp/features/workspace_edit.hpp"
 #include "cli/lsp/mentions/name_letters.hpp"
 #include "cli/lsp/mentions/sightings.hpp"
@@ -109,6 +110,7 @@ void check_sense(const PointedName& name, const std::vector<Span>& names, const 
 
 Json prepare_rename(Session& session, const Json& params) {
     if (Json digits = block_digits(session, params); !digits.is_null()) return digits;
+    if (Json contour = contour_name(session, params); !contour.is_null()) return contour;
     const auto name = name_pointed_at(session, params);
     if (!name) return nullptr;
     if (const auto why = objection(*name)) refuse(*why);
@@ -118,6 +120,7 @@ Json prepare_rename(Session& session, const Json& params) {
 Json rename(Session& session, const Json& params) {
     const std::string& new_name = string_in(params, "newName");
     if (!block_digits(session, params).is_null()) return rename_block(session, params);
+    if (Json edits = rename_contour(session, params); !edits.is_null()) return edits;
     const auto name = name_pointed_at(session, params);
     if (!name) refuse("Nothing that could get another name is here.");
     if (const auto why = objection(*name)) refuse(*why);

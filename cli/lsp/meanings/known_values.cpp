@@ -4,6 +4,7 @@
 #include "analyzer/dataflow/facts/computed_jump.hpp"
 #include "analyzer/dataflow/facts/read.hpp"
 #include "analyzer/dataflow/facts/store.hpp"
+#include "analyzer/workspace/bind.hpp"
 #include "analyzer/workspace/groups.hpp"
 #include "analyzer/workspace/program_analysis.hpp"
 #include "cli/engine/computed_calls.hpp"
@@ -126,6 +127,23 @@ std::string KnownValues::value_at(std::size_t program, const Mention& mention) c
     return said_by<dataflow::Store>(*analysis, [&](const dataflow::Store& store) {
         return store.variable == *variable && touches(of.effects[store.effect].span, mention.span.begin);
     });
+}
+
+std::vector<std::string> KnownValues::passed_for(std::size_t program, const Variable& variable) const {
+    std::vector<std::string> passed;
+    const ProgramAnalysis* analysis = analysis_of(program);
+    if (analysis == nullptr) return passed;
+    for (const Caller& caller : analysis->callers()) {
+        const Program& calling = workspace_->programs()[caller.program].program();
+        const auto& call = std::get<Call>(calling.effects[caller.effect].what);
+        for (const Argument& argument : calling.arguments_of(call)) {
+            const auto formal = bound_to(argument, &analysis->program());
+            if (!formal || *formal != variable) continue;
+            std::string text = quoted(calling, calling.expressions[argument.value].span);
+            if (std::ranges::find(passed, text) == passed.end()) passed.push_back(std::move(text));
+        }
+    }
+    return passed;
 }
 
 std::vector<std::int64_t> KnownValues::targets_of(std::size_t program, EffectId jump) const {

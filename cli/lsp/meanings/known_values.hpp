@@ -21,6 +21,9 @@ class KnownValues {
 
     /// What is read or stored there: "5", "1 or 2", "from 0 to 10", "vacant"; empty where nothing is known.
     [[nodiscard]] std::string value_at(std::size_t program, const Mention& mention) const;
+    /// What calls pass for it, as they write it, each once: "100.", "#5"; none: no call is known, or it is no
+    /// argument.
+    [[nodiscard]] std::vector<std::string> passed_for(std::size_t program, const Variable& variable) const;
     /// The numbers of the blocks that a computed jump can lead to; none: any.
     [[nodiscard]] std::vector<std::int64_t> targets_of(std::size_t program, EffectId jump) const;
 

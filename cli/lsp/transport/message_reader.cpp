@@ -67,8 +67,9 @@ std::optional<Received> MessageReader::next() {
 
 std::optional<Received> MessageReader::take_body() {
     if (buffer_.size() < *wanted_) return std::nullopt;
-    std::string body = buffer_.substr(0, *wanted_);
-    buffer_.erase(0, *wanted_);
+    std::string rest = buffer_.substr(*wanted_); // the body is the longer part by far
+    buffer_.resize(*wanted_);
+    std::string body = std::exchange(buffer_, std::move(rest));
     wanted_.reset();
     return body;
 }

@@ -55,6 +55,14 @@ TEST_F(LspHover, TellsTheValueThatIsKnown) {
     EXPECT_THAT(words(7, 9), Not(HasSubstr("Here")));
 }
 
+TEST_F(LspHover, TellsWhatCallersPass) {
+    open("%\nO1\nG65P9100F100.X#5\nG65P9100F250.\nG65P9100F100.\nM30\nO9100\nG1X#24F#9\n#2=#4\nM99\n%\n",
+         "fanuc");
+    EXPECT_THAT(words(7, 8), HasSubstr("Callers pass `100.`, `250.`"));
+    EXPECT_THAT(words(7, 4), HasSubstr("Callers pass `#5`"));
+    EXPECT_THAT(words(8, 4), Not(HasSubstr("Callers pass")));
+}
+
 TEST_F(LspHover, TellsWhatCodesAndTheirWordsMean) {
     open("%\nO1\nG90G54\nG83X1.Z-5.R1.Q#1F100\nG83X1.Z-5.R1.Q1.F100\nM30\n%\n", "fanuc");
     for (const int line : {3, 4}) {

@@ -72,6 +72,16 @@ TEST_F(LspOutline, HasSectionsAndNamesOfBlocksWhereTheLanguageHasThem) {
     EXPECT_TRUE(names[1].starts_with("START 1:0")) << names[1];
 }
 
+TEST_F(LspOutline, HasTheNamesOfContours) {
+    session.begin(trees);
+    session.open("a.ncs",
+                 "%a.nc\nAUXIL_CONTOUR ID\"SEAT\"\nN3 G0 X60 Z-10\nMACHINING\nN10 T1\nN12 M30\nEND\n",
+                 "dinplus");
+    std::vector<std::string> names;
+    list(ask("documentSymbol", "a.ncs"), names);
+    EXPECT_THAT(names, testing::Contains("SEAT 1:14-1:22"));
+}
+
 TEST_F(LspOutline, FoldsProgramsAndLoops) {
     session.begin(Json::object());
     session.open("O1000.nc", plate, "fanuc");
