@@ -123,11 +123,12 @@ const SpacingTable& spacing_of(const Dialect& dialect) {
 SpacingReader::SpacingReader(const SpacingTable& table)
     : table_(table)
     , rows_(syntax::symbol_count(table.grammar), nullptr) {
-    for (std::uint16_t symbol = 0; symbol < rows_.size(); ++symbol) {
+    for (std::size_t i = 0; i < rows_.size(); ++i) {
+        const auto symbol = static_cast<std::uint16_t>(i);
         if (!syntax::symbol_is_named(table.grammar, symbol)) continue;
         const auto found =
             std::ranges::find(table.rows, syntax::symbol_name(table.grammar, symbol), &SpacingRow::node);
-        if (found != table.rows.end()) rows_[symbol] = &*found;
+        if (found != table.rows.end()) rows_[i] = &*found;
     }
 }
 

@@ -85,7 +85,8 @@ struct VariableRange {
     }
     /// The code under which an offset counts; only where there is a first one.
     [[nodiscard]] double code(std::int32_t number) const {
-        return *first_code + (number - first) / numbers_of_a_set;
+        const std::int32_t set = (number - first) / numbers_of_a_set;
+        return *first_code + set;
     }
 };
 

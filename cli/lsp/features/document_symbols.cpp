@@ -83,9 +83,7 @@ class Outline {
 
     void add_tools() {
         const auto tool = addresses_named(program_, "T");
-        const auto holds_tool = [&](const WordSummary& words) {
-            return words.addresses.common(tool) != syntax::AddressSet();
-        };
+        const auto holds_tool = [&](const WordSummary& words) { return words.addresses.meets(tool); };
         for_each_block_with_words(
             program_, holds_tool,
             [&](const BlockView& block, std::span<const Word> words, const auto& /*summary*/) {

@@ -135,7 +135,7 @@ class Speech {
     /// What the analysis knows of it.
     [[nodiscard]] static std::string value_of(const KnownValues& values, std::size_t place,
                                               const Mention& mention) {
-        const std::string value = values.value_at(place, mention);
+        std::string value = values.value_at(place, mention);
         if (value.empty()) return value;
         return (mention.role == Mention::Role::stores ? "Stored here: " : "Here: ") + value;
     }

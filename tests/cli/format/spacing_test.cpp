@@ -77,7 +77,13 @@ TEST(Spacing, LeavesTextsRemarksMarksAndMistakes) {
     EXPECT_EQ(formatted("sinumerik", "MSG(\"A  B\")   ; X   Y\n", close), "MSG(\"A  B\")   ; X   Y\n");
 }
 
+TEST(Spacing, LeavesABlockThatWouldBeReadInAnotherWay) {
+    EXPECT_EQ(formatted("fanuc", "G1 X5.\nG1 X#_A B1.\n", close), "G1X5.\nG1 X#_A B1.\n");
+    EXPECT_EQ(formatted("fanuc", "#1 = 2 - -#2\n", close), "#1=2- -#2\n");
+}
+
 TEST(Spacing, GluesNoNamesOfSinumerik) {
+    EXPECT_EQ(formatted("sinumerik", "R1=R2 + R3 DIV R4\n", close), "R1=R2+R3 DIV R4\n");
     EXPECT_EQ(formatted("sinumerik", "N10 G1 X10 Y20 F100\n", close), "N10G1X10Y20F100\n");
     for (const std::string text :
          {"G1 X=R1\n", "G1 X=R1 Y=R2\n", "R1=R2 DIV R3\n", "SUPA G0 X1=10\n", "L100 P3\n"})
