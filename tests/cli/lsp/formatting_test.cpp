@@ -15,7 +15,7 @@ using testing::IsEmpty;
 
 class LspFormatting : public testing::Test {
   protected:
-    std::vector<std::string> edits(const std::string& method, Json more) {
+    std::vector<std::string> edits(const std::string& method, const Json& more) {
         Json params = {{"textDocument", {{"uri", session.uri("O1.nc")}}},
                        {"options", {{"tabSize", 4}, {"insertSpaces", true}}}};
         params.update(more);
