@@ -2,6 +2,7 @@
 #include "analyzer/dialect/ascii.hpp"
 #include "analyzer/program/block_view.hpp"
 #include "analyzer/program/tables.hpp"
+#include "analyzer/queries/calls/brought_cycles.hpp"
 #include "analyzer/workspace/program_analysis.hpp"
 #include "rules/path.hpp"
 #include "rules/rule.hpp"
@@ -82,11 +83,9 @@ bool positions_a_spindle(std::string_view line) {
 
 /// A called program may do it, and a block that nobody can read.
 bool may_be_done_elsewhere(const Program& program) {
-    return std::ranges::any_of(program.effects, [&](const Effect& effect) {
-        const auto* call = std::get_if<Call>(&effect.what);
-        return std::holds_alternative<UnreadableBlock>(effect.what) ||
-               (call != nullptr && !program.control->calls[call->kind].brought_by_control);
-    });
+    return queries::calls_programs(program) || std::ranges::any_of(program.effects, [](const Effect& effect) {
+               return std::holds_alternative<UnreadableBlock>(effect.what);
+           });
 }
 
 void check(const ProgramAnalysis& analysis, Reporter& reporter) {

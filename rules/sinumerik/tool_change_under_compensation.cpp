@@ -3,6 +3,7 @@
 #include "analyzer/machine/states.hpp"
 #include "analyzer/program/block_view.hpp"
 #include "analyzer/program/tables.hpp"
+#include "analyzer/queries/calls/brought_cycles.hpp"
 #include "rules/rule.hpp"
 #include "rules/sinumerik/under_compensation.hpp"
 
@@ -69,11 +70,10 @@ namespace {
 
 /// Where no M6 changes the tool, and no called program may hold one, the turret turns at T.
 bool changes_by_its_number(const Program& program) {
-    return std::ranges::none_of(program.effects, [&](const Effect& effect) {
-        const auto* call = std::get_if<Call>(&effect.what);
-        return std::holds_alternative<ToolChange>(effect.what) ||
-               (call != nullptr && !program.control->calls[call->kind].brought_by_control);
-    });
+    return !queries::calls_programs(program) &&
+           std::ranges::none_of(program.effects, [](const Effect& effect) {
+               return std::holds_alternative<ToolChange>(effect.what);
+           });
 }
 
 /// Blocks with words for the group, by their beginnings.

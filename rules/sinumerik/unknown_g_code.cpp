@@ -53,7 +53,7 @@ M30
 namespace {
 
 /// Units, returns, lengths of tools, turned coordinates and canned cycles of FANUC and its like, which here
-/// have other names or none.
+/// have other names or none [T].
 bool is_of_another_control(std::string_view code) {
     constexpr std::string_view codes[] = {"G20", "G21", "G28", "G30", "G43", "G44", "G49", "G52", "G68",
                                           "G69", "G73", "G76", "G80", "G81", "G82", "G83", "G84", "G85",

@@ -6,9 +6,7 @@
 namespace maclint::sinumerik {
 namespace {
 
-using enum SpacingRow::Parts;
-constexpr auto apart = SpacingRow::Beside::apart;
-constexpr auto touches = SpacingRow::Beside::touches;
+using namespace spacing_words;
 
 // clang-format off
 constexpr SpacingRow rows[] = {

@@ -25,6 +25,13 @@ const BroughtCycle* cycle_called(const ProgramAnalysis& analysis, EffectId effec
     return cycle == cycles.end() ? nullptr : &*cycle;
 }
 
+bool calls_programs(const Program& program) {
+    return std::ranges::any_of(program.effects, [&](const Effect& effect) {
+        const auto* call = std::get_if<Call>(&effect.what);
+        return call != nullptr && !program.control->calls[call->kind].brought_by_control;
+    });
+}
+
 namespace {
 
 /// The argument that stands there as the parameter, nullptr where it is left out; nothing where no place is
