@@ -186,6 +186,7 @@ void add_configuration(const Configuration* configuration, FileFacts& facts) {
 }
 
 void add_baseline(const FileSettings& settings, FileFacts& facts) {
+    if (settings.baseline.empty()) return;
     const bool is_said = settings.configuration && settings.baseline == settings.configuration->baseline;
     facts.add("baseline", settings.baseline,
               is_said ? settings.configuration->said_in("baseline") : "--baseline");

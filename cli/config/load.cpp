@@ -705,7 +705,7 @@ std::string Configuration::said_in(std::size_t source, std::string_view how) con
 }
 
 std::string Configuration::said_in(std::string_view key) const {
-    return said_in(source_of_key.find(key)->second, key);
+    return said_in(source_of_key.at(std::string(key)), key);
 }
 
 const ControlModel* Configuration::control(std::string_view name) const {
