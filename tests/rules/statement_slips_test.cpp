@@ -67,6 +67,30 @@ TEST(Loop, NeverRunsWhereItsCounterIsAsTheLoopBeforeLeftIt) {
     EXPECT_THAT(judged("MAC321", "O1\n#1=9\n" + second), IsEmpty()) << "no loop left it so";
 }
 
+TEST(Loop, RunsOnceWhereNothingSetsItsCounterBack) {
+    const auto rows = [](const std::string& before, const std::string& step, const std::string& behind) {
+        return "O1\n#1=0\n#2=0\n#7=4\nWHILE[#1LT3]DO1\n" + before + "WHILE[#2LT#7]DO2\nG91 X1.\n" + step +
+               "\nEND2\n" + behind + "#1=#1+1\nEND1\nM30\nO2\n#2=0\nM99\n";
+    };
+    const std::string step = "#2=#2+1";
+    EXPECT_THAT(messages_raised("MAC321", rows("", step, "")),
+                ElementsAre(AllOf(HasSubstr("only in the first round of the loop on line 5"),
+                                  HasSubstr("at '[#2LT#7]', #2 is as this loop has left it"))));
+    EXPECT_THAT(judged("MAC321", rows("#2=0\n", step, "")), IsEmpty());
+    EXPECT_THAT(judged("MAC321", rows("", step, "#2=0\n")), IsEmpty());
+    EXPECT_THAT(judged("MAC321", rows("IF[#1EQ1]THEN #2=0\n", step, "")), IsEmpty());
+    EXPECT_THAT(judged("MAC321", rows("", step, "#7=#7+4\n")), IsEmpty()) << "its bound goes on";
+    EXPECT_THAT(judged("MAC321", rows("M98 P2\n", step, "")), IsEmpty()) << "the subprogram sets it";
+    EXPECT_THAT(judged("MAC321", rows("", step, "#[#1+1]=0\n")), IsEmpty());
+    EXPECT_THAT(judged("MAC321", rows("", step + "\nIF[#5041GT9.]GOTO9", "N9")), IsEmpty())
+        << "it may have ended before";
+    EXPECT_THAT(judged("MAC321", "O1\nWHILE[#2LT4]DO2\nG91 X1.\n#2=#2+1\nEND2\nM99\n"), IsEmpty())
+        << "the program may begin anew";
+    EXPECT_THAT(judged("MAC321", "O1\n#1=0\n#2=0\nN5 WHILE[#2LT4]DO2\nG91 X1.\n#2=#2+1\nEND2\n"
+                                 "#1=#1+1\nIF[#1LT3]GOTO5\nM30\n"),
+                ElementsAre("warning 4"));
+}
+
 TEST(Loop, ThatOnlyEqualityEndsIsPassedByItsCounter) {
     const auto loop = [](const std::string& start, const std::string& step, const std::string& bound) {
         return "O1\n#1=" + start + "\nWHILE[#1NE" + bound + "]DO1\nG91 X1.\n#1=#1" + step + "\nEND1\nM30\n";

@@ -89,7 +89,7 @@ KINDS = {kind.name: kind for kind in [
         ('step-sign', 'MAC320 MAC319', 'the step goes the other way'),
         ('step-zero', 'MAC320 MAC319', 'the step is 0'),
         ('step-fraction', 'MAC711', 'a step of 0.1, 0.2 or .05 up or down to a limit (LT, LE, GT, GE)'),
-        ('first-value-removed', 'MAC209', 'the assignment that gives the counter of a loop its first value is gone'),
+        ('first-value-removed', 'MAC209 MAC321', 'the assignment that gives the counter of a loop its first value is gone'),
         ('step-guard-removed', 'MAC320', 'an argument is a step, and nothing asks any more whether it is 0'),
     ]),
     *table('conditions', WARNING, [
