@@ -41,6 +41,10 @@ std::string words_of_use(const AlarmUse& use) {
     return name;
 }
 
+bool says_more_than_title(const ControlAlarm& alarm) {
+    return std::ranges::find(alarm.titles, alarm.cause) == alarm.titles.end();
+}
+
 void add_rules(PlainPage& page, const ControlAlarm& alarm, std::string_view only) {
     page.add_heading("Rules that find what brings it:");
     bool is_found = false;
@@ -73,8 +77,10 @@ std::string plain_alarm_page(const ControlAlarm& alarm, std::string_view list, c
     for (const std::string_view known : alarm_lists)
         if (!alarm.title_on(known).empty() && (list.empty() || list == known))
             page.add(std::string(known) + ": " + std::string(alarm.title_on(known)));
-    page.add_heading("What brings it:");
-    page.add_item(alarm.cause);
+    if (says_more_than_title(alarm)) {
+        page.add_heading("What brings it:");
+        page.add_item(alarm.cause);
+    }
     page.add_heading("What shows it:");
     page.add_item(shown_words(alarm));
     add_rules(page, alarm, list);

@@ -8,6 +8,7 @@
 #include "cli/report/measured_precision.hpp"
 #include "cli/report/row_page.hpp"
 #include "cli/report/sources.hpp"
+#include "rules/alarms/alarm.hpp"
 
 #include <algorithm>
 #include <array>
@@ -106,7 +107,9 @@ auto dialects_of(const Rule& rule) {
 }
 
 std::string alarm_line(const Alarm& alarm) {
-    return std::string(alarm.control) + ": " + std::string(alarm.number) + " " + std::string(alarm.text);
+    const ControlAlarm* known = find_alarm(alarm.control, alarm.number);
+    return std::string(alarm.control) + ": " + std::string(alarm.number) + " " + std::string(alarm.text) +
+           (known != nullptr && known->backing == AlarmBacking::memory ? " (number not confirmed)" : "");
 }
 
 } // namespace

@@ -13,7 +13,7 @@ struct SourceRow {
 };
 
 // clang-format off
-constexpr std::array<SourceRow, 135> rows{{
+constexpr std::array<SourceRow, 138> rows{{
     {"SEED-001",
      "Joni Nieminen, Parametriohjelmointi FANUC 21i-MB -ohjauksessa, thesis, Tampere 2005: macro "
      "programming on a FANUC 21i-MB, with programs that were run on the machine. Lines of its text"},
@@ -341,6 +341,12 @@ constexpr std::array<SourceRow, 135> rows{{
     {"NCI",
      "Public interpreter of SINUMERIK programs, its tables and tests, which cite the manual, "
      "github.com/CEAD-group/nc-gcode-interpreter"},
+    {"POL",
+     "List of 17 alarms in a public repository of SINUMERIK programs"},
+    {"HELM",
+     "helmancnc.com, articles on programming of SINUMERIK controls"},
+    {"CW",
+     "cnc.wiki, articles on SINUMERIK controls"},
     {"SCYC",
      "Public copy of cycles as Siemens delivered them before SINUMERIK Operate"},
     {"T",

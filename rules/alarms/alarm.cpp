@@ -14,8 +14,10 @@ std::string_view ControlAlarm::title_on(std::string_view list) const {
 }
 
 std::span<const std::span<const ControlAlarm>> alarm_tables() {
-    static const std::array<std::span<const ControlAlarm>, 4> tables = {
-        alarms::fanuc_below_100(), alarms::fanuc_below_400(), alarms::fanuc_from_400(), alarms::nct()};
+    static const std::array<std::span<const ControlAlarm>, 6> tables = {
+        alarms::fanuc_below_100(),       alarms::fanuc_below_400(),
+        alarms::fanuc_from_400(),        alarms::nct(),
+        alarms::sinumerik_below_14000(), alarms::sinumerik_from_14000()};
     return tables;
 }
 

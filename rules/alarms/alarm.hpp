@@ -14,7 +14,8 @@
 namespace maclint {
 
 /// The lists that number alarms, as ControlModel::alarms names them.
-inline constexpr std::array<std::string_view, 3> alarm_lists = {"FANUC 16i/18i/21i", "FANUC 30i/0i-D", "NCT"};
+inline constexpr std::array<std::string_view, 4> alarm_lists = {"FANUC 16i/18i/21i", "FANUC 30i/0i-D", "NCT",
+                                                                "SINUMERIK"};
 
 /// What an alarm is about.
 enum class AlarmSubject : std::uint8_t {

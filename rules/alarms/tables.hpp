@@ -24,6 +24,8 @@ inline constexpr std::optional<Machine> lathe = Machine::lathe;
 [[nodiscard]] std::span<const ControlAlarm> fanuc_below_400();
 [[nodiscard]] std::span<const ControlAlarm> fanuc_from_400();
 [[nodiscard]] std::span<const ControlAlarm> nct();
+[[nodiscard]] std::span<const ControlAlarm> sinumerik_below_14000();
+[[nodiscard]] std::span<const ControlAlarm> sinumerik_from_14000();
 
 /// An alarm on programs that their text always shows, and that nothing raises.
 struct NotFound {

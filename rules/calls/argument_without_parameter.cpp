@@ -59,6 +59,8 @@ PROC COUNT_UP(VAR INT TOTAL)
 TOTAL=TOTAL+1
 M17
 )nc"}},
+    .alarms = {{"SINUMERIK", "12340", "too many parameters in the call", false},
+               {"SINUMERIK", "12320", "parameter is no variable", false}},
     .sources = {"NCP19 p.494", "JP10 p.23"},
     .check = &check,
 };

@@ -57,7 +57,9 @@ RETURN
 END
 )nc"}},
     .alarms = {{"FANUC 16i/18i/21i", "078", "NUMBER NOT FOUND"},
-               {"FANUC 30i/0i-D", "076", "PROGRAM NOT FOUND"}},
+               {"FANUC 30i/0i-D", "076", "PROGRAM NOT FOUND"},
+               {"SINUMERIK", "14011", "program does not exist or is being edited", false},
+               {"SINUMERIK", "12550", "name not defined, or option or function not available", false}},
     .sources = {"GH-ALM"},
     .check = &check,
 };

@@ -114,7 +114,8 @@ RETURN
 END
 )nc"}},
     .alarms = {{"FANUC 16i/18i/21i", "077", "SUB PROGRAM NESTING ERROR"},
-               {"FANUC 30i/0i-D", "077", "TOO MANY SUB,MACRO NESTING"}},
+               {"FANUC 30i/0i-D", "077", "TOO MANY SUB,MACRO NESTING"},
+               {"SINUMERIK", "14012", "lowest subprogram level exceeded"}},
     .sources = {"CNCWIKI-SUB", "RW-9", "SEED-003:10397", "SEED-003:19934"},
     .check = &check,
 };

@@ -62,7 +62,8 @@ N70 M30
     .alarms = {{"FANUC 16i/18i/21i", "128", "ILLEGAL MACRO SEQUENCE NUMBER"},
                {"FANUC 30i/0i-D", "128", "ILLEGAL MACRO SEQUENCE NUMBER"},
                {"FANUC 30i/0i-D", "1128", "SEQUENCE NUMBER OUT OF RANGE", true, "impossible"},
-               {"NCT", "3070", "NOT EXISTING BLOCK NO. P"}},
+               {"NCT", "3070", "NOT EXISTING BLOCK NO. P"},
+               {"SINUMERIK", "14080", "jump target not found"}},
     .sources = {"NCT-188", "GH-ALM"},
     .check = &check,
 };

@@ -54,6 +54,8 @@ G0 X0
 ENDIF
 M30
 )nc"}},
+    .alarms = {{"SINUMERIK", "12640", "invalid nesting of control structures", false},
+               {"SINUMERIK", "12641", "control structures nested deeper than the limit", false}},
     .sources = {"JP11 p.107", "NCI 4.1.7"},
     .check = &check,
 };

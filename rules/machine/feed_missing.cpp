@@ -62,7 +62,8 @@ G90
 M99
 )nc"}},
     .alarms = {{"FANUC 16i/18i/21i", "011", "NO FEEDRATE COMMANDED", false},
-               {"FANUC 30i/0i-D", "011", "FEED ZERO ( COMMAND )", false}},
+               {"FANUC 30i/0i-D", "011", "FEED ZERO ( COMMAND )", false},
+               {"SINUMERIK", "10860", "feed is not programmed", false}},
     .sources = {"T"},
     .check = MachineCheck{&check},
 };

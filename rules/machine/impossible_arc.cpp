@@ -81,7 +81,9 @@ M30
     .alarms = {{"FANUC 16i/18i/21i", "020", "OVER TOLERANCE OF RADIUS", false, "radii"},
                {"FANUC 30i/0i-D", "020", "OVER TOLERANCE OF RADIUS", false, "radii"},
                {"FANUC 16i/18i/21i", "021", "ILLEGAL PLANE AXIS COMMANDED", false, "other-plane"},
-               {"FANUC 30i/0i-D", "021", "ILLEGAL PLANE SELECT", false, "other-plane"}},
+               {"FANUC 30i/0i-D", "021", "ILLEGAL PLANE SELECT", false, "other-plane"},
+               {"SINUMERIK", "14040", "error in the end point of a circle", false, "radii never"},
+               {"SINUMERIK", "14095", "circle radius too small", false}},
     .sources = {"CSDN-PS: alarms 020, 021, parameter 3410", "GH-ALM", "T: radius and chord"},
     .check = MachineCheck{.check = &check, .with_numbers_of_calls = true},
 };

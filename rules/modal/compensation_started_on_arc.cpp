@@ -74,7 +74,11 @@ G40 X0
 M30
 )nc"}},
     .alarms = {{"FANUC 16i/18i/21i", "034", "NO CIRC ALLOWED IN ST-UP /EXT BLK"},
-               {"FANUC 30i/0i-D", "034", "NO CIRC ALLOWED IN ST-UP /EXT BLK"}},
+               {"FANUC 30i/0i-D", "034", "NO CIRC ALLOWED IN ST-UP /EXT BLK"},
+               {"SINUMERIK", "10753", "tool radius compensation switched on in a block that is not linear",
+                false},
+               {"SINUMERIK", "10754", "tool radius compensation switched off in a block that is not linear",
+                false}},
     .sources = {"T: alarm 034", "SEED-003:12681, 12717"},
     .check = &check,
 };

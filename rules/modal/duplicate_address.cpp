@@ -69,7 +69,10 @@ X60.
 M30
 )nc"}},
     .alarms = {{"FANUC 16i/18i/21i", "5074", "ADDRESS DUPLICATION ERROR"},
-               {"FANUC 30i/0i-D", "5074", "ADDRESS DUPLICATION ERROR"}},
+               {"FANUC 30i/0i-D", "5074", "ADDRESS DUPLICATION ERROR"},
+               {"SINUMERIK", "12000", "address programmed twice in the block", false},
+               {"SINUMERIK", "16420", "axis programmed twice", false},
+               {"SINUMERIK", "12010", "address programmed too often in the block", false}},
     .sources = {"T: alarm 5074", "GH-ALM", "SEED-003:10226-10231"},
     .check = WordCheck{.addresses = "", .blocks = WordCheck::Blocks::repeated, .check = &check},
 };

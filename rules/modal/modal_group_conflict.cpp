@@ -67,7 +67,9 @@ N13 M30
 END
 )nc"}},
     .alarms = {{"FANUC 16i/18i/21i", "5074", "ADDRESS DUPLICATION ERROR"},
-               {"FANUC 30i/0i-D", "5074", "ADDRESS DUPLICATION ERROR"}},
+               {"FANUC 30i/0i-D", "5074", "ADDRESS DUPLICATION ERROR"},
+               {"SINUMERIK", "12060", "two G codes of the same group in a block", false},
+               {"SINUMERIK", "14760", "two auxiliary functions of one group in the block", false}},
     .sources = {"T: parameter 3403#6", "GH-ALM", "SEED-001:1340-1355", "SEED-003:10226-10231"},
     .check = WordCheck{.addresses = "G M", .blocks = WordCheck::Blocks::conflicting, .check = &check},
 };

@@ -97,7 +97,9 @@ IF[#22EQ1]GOTO1
 G91 G0 A[360/#22]
 N1 M99
 )nc"}}},
-    .alarms = {{"FANUC 16i/18i/21i", "112", "DIVIDED BY ZERO"}, {"FANUC 30i/0i-D", "112", "ZERO DIVIDE"}},
+    .alarms = {{"FANUC 16i/18i/21i", "112", "DIVIDED BY ZERO"},
+               {"FANUC 30i/0i-D", "112", "ZERO DIVIDE"},
+               {"SINUMERIK", "14051", "arithmetic error", false}},
     .sources = {"CNCWIKI-MACB", "GH-ALM"},
     .check = &check,
 };

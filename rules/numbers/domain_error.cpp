@@ -97,7 +97,8 @@ G90 G0 Z#1
 N1 M99
 )nc"}}},
     .alarms = {{"FANUC 16i/18i/21i", "119", "ILLEGAL ARGUMENT", false},
-               {"FANUC 30i/0i-D", "119", "ARGUMENT VALUE OUT OF RANGE", false}},
+               {"FANUC 30i/0i-D", "119", "ARGUMENT VALUE OUT OF RANGE", false},
+               {"SINUMERIK", "14051", "arithmetic error", false}},
     .sources = {"GH-ALM"},
     .check = &check,
 };

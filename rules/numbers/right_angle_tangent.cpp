@@ -83,6 +83,7 @@ IF[#1EQ45]GOTO1
 G91 G1 X[#26*TAN[90-#1]] F100.
 N1 M99
 )nc"}}},
+    .alarms = {{"SINUMERIK", "14051", "arithmetic error", false}},
     .sources = {"CNCWIKI-MACB"},
     .check = &check,
 };

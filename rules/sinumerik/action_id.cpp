@@ -39,6 +39,7 @@ ID=3 WHENEVER $A_IN[2]==1 DO M8
 G1 X20
 M30
 )nc"}},
+    .alarms = {{"SINUMERIK", "14025", "illegal modal ID of a synchronous action", false}},
     .sources = {"PGA p.343"},
     .check = &check,
 };

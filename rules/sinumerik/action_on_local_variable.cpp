@@ -26,6 +26,8 @@ ID=1 EVERY $A_IN[1]==1 DO $R[30]=$AA_IW[X]
 G1 X80 F100
 M30
 )nc"}},
+    .alarms = {{"SINUMERIK", "12583", "variable in a motion synchronous action is no system variable",
+                false}},
     .sources = {"PGA p.344"},
     .check = SyntaxErrorKind::action_on_local,
 };

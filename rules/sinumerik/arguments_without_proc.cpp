@@ -36,6 +36,7 @@ M30
 G0 X=R1
 M17
 )nc"}},
+    .alarms = {{"SINUMERIK", "14510", "PROC missing though parameters are passed", false}},
     .sources = {"NCP19 p.494"},
     .check = &check,
 };

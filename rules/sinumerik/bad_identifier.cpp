@@ -33,6 +33,7 @@ DEF REAL LENGTH1
 LENGTH1=5
 M30
 )nc"}},
+    .alarms = {{"SINUMERIK", "12420", "identifier too long", false}},
     .sources = {"FUND04 p.60", "NCP19 p.491"},
     .check = &check,
 };

@@ -30,6 +30,7 @@ WAY=WAY+R11+R12+R13+R14+R15+R16+R17+R18+R19+R20
 G0 X=WAY
 M30
 )nc"}},
+    .alarms = {{"SINUMERIK", "12540", "block too long or too complex", false}},
     .sources = {"T: alarm 12540"},
     .check = SyntaxErrorKind::block_too_long,
 };

@@ -23,6 +23,7 @@ IF R1==1 GOTOF READY
 G0 X10
 READY: M30
 )nc"}},
+    .alarms = {{"SINUMERIK", "12080", "syntax error at the text shown", false}},
     .sources = {"NCI"},
     .check = SyntaxErrorKind::colon_in_jump,
 };

@@ -46,6 +46,7 @@ CYCLE82(50,0,2,-20,,0.3)
 CYCLE82(50,0,2,,20,0.3)
 M30
 )nc"}},
+    .alarms = {{"SINUMERIK", "61101", "cycle: reference plane wrong", false}},
     .sources = {"T: alarm 61101", "SCYC"},
     .check = &check,
 };

@@ -46,6 +46,7 @@ G0 Z50
 CYCLE81(50,0,2,-10,)
 M30
 )nc"}},
+    .alarms = {{"SINUMERIK", "61815", "cycle: G40 not active at the call"}},
     .sources = {"T: alarm 61815", "SEED-004:242"},
     .check = &check,
 };

@@ -29,6 +29,7 @@ HOLE=3
 G0 X=HOLE
 M30
 )nc"}},
+    .alarms = {{"SINUMERIK", "14500", "DEF or PROC at a wrong place", false}},
     .sources = {"T808 p.126"},
     .check = SyntaxErrorKind::late_definition,
 };

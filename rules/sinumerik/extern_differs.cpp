@@ -45,6 +45,7 @@ PROC RING(REAL DIAM_, REAL DEPTH)
 G0 X=DIAM_ Z=DEPTH
 M17
 )nc"}},
+    .alarms = {{"SINUMERIK", "14530", "EXTERN and PROC differ", false}},
     .sources = {"NCP19 p.494", "JP10 p.23"},
     .check = &check,
 };

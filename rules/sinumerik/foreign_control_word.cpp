@@ -28,6 +28,7 @@ ENDIF
 ENDIF
 M30
 )nc"}},
+    .alarms = {{"SINUMERIK", "12080", "syntax error at the text shown", false}},
     .sources = {"JP11 p.107", "HLS"},
     .check = SyntaxErrorKind::foreign_keyword,
 };

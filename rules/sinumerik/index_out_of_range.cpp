@@ -52,6 +52,8 @@ G0 X=PLACE[HOLE-1]
 ENDFOR
 M30
 )nc"}},
+    .alarms = {{"SINUMERIK", "17020", "illegal array index 1", false},
+               {"SINUMERIK", "17030", "illegal array index 2", false}},
     .sources = {"MD: arrays begin at 0", "FUND06 p.63"},
     .check = &check,
 };

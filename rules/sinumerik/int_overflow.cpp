@@ -23,6 +23,7 @@ DEF REAL COUNT_
 COUNT_=3000000000
 M30
 )nc"}},
+    .alarms = {{"SINUMERIK", "12160", "range of values exceeded", false}},
     .sources = {"T808 p.126"},
     .check = SyntaxErrorKind::integer_overflow,
 };

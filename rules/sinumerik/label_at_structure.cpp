@@ -38,6 +38,7 @@ R1=R1+1
 IF R1<3 GOTOB ROWS
 M30
 )nc"}},
+    .alarms = {{"SINUMERIK", "12630", "skip mark or label in a block with a control structure", false}},
     .sources = {"JP11 p.107"},
     .check = SyntaxErrorKind::head_at_structure,
 };

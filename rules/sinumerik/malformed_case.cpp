@@ -24,6 +24,7 @@ FIRST: G0 X1
 SECOND: G0 X2
 THIRD: M30
 )nc"}},
+    .alarms = {{"SINUMERIK", "12080", "syntax error at the text shown", false}},
     .sources = {"NCI 4.1.5"},
     .check = SyntaxErrorKind::malformed_case,
 };

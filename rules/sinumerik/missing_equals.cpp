@@ -30,6 +30,7 @@ G1 Z=-DEPTH F200
 X10 Y=R1+5
 M30
 )nc"}},
+    .alarms = {{"SINUMERIK", "12080", "syntax error at the text shown", false}},
     .sources = {"O802 p.122", "SEED-004:211-216"},
     .check = SyntaxErrorKind::missing_equals,
 };

@@ -48,6 +48,8 @@ G0 Z=-DEPTH
 TOTAL=TOTAL+1
 M17
 )nc"}},
+    .alarms = {{"SINUMERIK", "12300", "call-by-reference parameter missing in the call", false},
+               {"SINUMERIK", "12310", "axis parameter missing in the call", false}},
     .sources = {"NCP19 p.494"},
     .check = &check,
 };

@@ -42,6 +42,7 @@ LENGTH_1=5
 G1 X=LENGTH_1 Y=LENGTH_2 F100
 M30
 )nc"}},
+    .alarms = {{"SINUMERIK", "12550", "name not defined, or option or function not available", false}},
     .sources = {"NCP19 p.404"},
     .check = &check,
 };

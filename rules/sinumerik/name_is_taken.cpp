@@ -27,6 +27,7 @@ DEF REAL SPOS_1
 DEF INT ROW
 M30
 )nc"}},
+    .alarms = {{"SINUMERIK", "12170", "identifier already defined", false}},
     .sources = {"NCP19 p.45"},
     .check = SyntaxErrorKind::taken_name,
 };

@@ -44,6 +44,7 @@ PROC COUNT_UP(VAR INT TOTAL)
 TOTAL=TOTAL+1
 M17
 )nc"}},
+    .alarms = {{"SINUMERIK", "12330", "type of parameter wrong", false}},
     .sources = {"NCP19 p.494", "JP10 p.23"},
     .check = &check,
 };

@@ -26,6 +26,7 @@ G17 G90 G54 ; (FIRST SIDE)
 G0 X0 Y0
 M30
 )nc"}},
+    .alarms = {{"SINUMERIK", "12080", "syntax error at the text shown", false}},
     .sources = {"SEED-004:20-23", "NCP19 p.52"},
     .check = SyntaxErrorKind::foreign_remark,
 };

@@ -25,6 +25,7 @@ G17 G90 G54
 G0 X0 Y0
 M30
 )nc"}},
+    .alarms = {{"SINUMERIK", "12080", "syntax error at the text shown", false}},
     .sources = {"NCP19 p.52"},
     .check = SyntaxErrorKind::remark_without_sign,
 };

@@ -34,6 +34,8 @@ G0 X0
 REPEAT PAD P=3
 M30
 )nc"}},
+    .alarms = {{"SINUMERIK", "14082", "label not found in the program part", false},
+               {"SINUMERIK", "14013", "number of passes invalid", false}},
     .sources = {"HLS"},
     .check = &check,
 };

@@ -23,6 +23,7 @@ PROC SLOT(REAL WIDTH, REAL DEPTH)
 G0 X=WIDTH Z=DEPTH
 M17
 )nc"}},
+    .alarms = {{"SINUMERIK", "12080", "syntax error at the text shown", false}},
     .sources = {"NCP19 p.43"},
     .check = SyntaxErrorKind::split_declaration,
 };

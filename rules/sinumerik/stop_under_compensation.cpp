@@ -45,6 +45,7 @@ X80
 G40 G0 X100
 M30
 )nc"}},
+    .alarms = {{"SINUMERIK", "10778", "preprocessing stop while tool radius compensation is on", false}},
     .sources = {"T: setting data 42480"},
     .check = &check,
 };

@@ -21,6 +21,7 @@ M30
 MSG("clean the chips from the clamp before the next part")
 M30
 )nc"}},
+    .alarms = {{"SINUMERIK", "12210", "string too long", false}},
     .sources = {"FUND06 p.63"},
     .check = SyntaxErrorKind::text_too_long,
 };

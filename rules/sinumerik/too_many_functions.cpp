@@ -26,6 +26,7 @@ N15 M31
 N20 G0 X10
 N30 M30
 )nc"}},
+    .alarms = {{"SINUMERIK", "14750", "too many auxiliary functions in the block", false}},
     .sources = {"T: alarm 14750"},
     .check = SyntaxErrorKind::too_many_functions,
 };

@@ -21,6 +21,8 @@ M30
 DEF INT ROW[4]=SET(1,2,3,4)
 M30
 )nc"}},
+    .alarms = {{"SINUMERIK", "12260", "too many initialisation values", false},
+               {"SINUMERIK", "14130", "too many initialisation values", false}},
     .sources = {"HLS", "NCP19 p.404"},
     .check = SyntaxErrorKind::too_many_initial_values,
 };

@@ -23,6 +23,7 @@ N10 G0 X10
 N20 Y20
 N30 M30
 )nc"}},
+    .alarms = {{"SINUMERIK", "12080", "syntax error at the text shown", false}},
     .sources = {"SEED-004:511"},
     .check = SyntaxErrorKind::second_block,
 };

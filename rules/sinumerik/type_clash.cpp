@@ -55,6 +55,8 @@ PROC RIM(REAL DIAM_)
 G0 X=DIAM_
 M17
 )nc"}},
+    .alarms = {{"SINUMERIK", "12150", "operation does not fit the data types", false},
+               {"SINUMERIK", "12330", "type of parameter wrong", false}},
     .sources = {"NCP19 p.444"},
     .check = &check,
 };

@@ -42,6 +42,7 @@ G1 Z=-DEPTH F=FEED_DOWN
 M30
 )nc",
               true}},
+    .alarms = {{"SINUMERIK", "12550", "name not defined, or option or function not available"}},
     .sources = {"NCP19 p.404", "T: alarm 12550"},
     .check = &check,
 };

@@ -46,6 +46,7 @@ X10 Y10
 MCALL
 M30
 )nc"}},
+    .alarms = {{"SINUMERIK", "12470", "unknown G function"}},
     .sources = {"MD", "NCI"},
     .check = &check,
 };

@@ -21,6 +21,7 @@ R20=$AA_MW[Z]
 R21=$MC_CHAN_NAME[0]
 M30
 )nc"}},
+    .alarms = {{"SINUMERIK", "12550", "name not defined, or option or function not available", false}},
     .sources = {"SV"},
     .check = SyntaxErrorKind::unknown_system_variable,
 };

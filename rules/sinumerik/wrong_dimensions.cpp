@@ -28,6 +28,7 @@ DEF REAL PLACE[4,2], DEPTH
 G0 X=PLACE[1,0] Z=DEPTH
 M30
 )nc"}},
+    .alarms = {{"SINUMERIK", "12400", "array element does not exist", false}},
     .sources = {"JP10 p.23", "FUND06 p.63"},
     .check = SyntaxErrorKind::wrong_dimensions,
 };

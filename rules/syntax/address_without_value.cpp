@@ -52,7 +52,8 @@ N12 M30
 END
 )nc"}},
     .alarms = {{"FANUC 16i/18i/21i", "005", "NO DATA AFTER ADDRESS"},
-               {"FANUC 30i/0i-D", "005", "NO DATA AFTER ADDRESS"}},
+               {"FANUC 30i/0i-D", "005", "NO DATA AFTER ADDRESS"},
+               {"SINUMERIK", "12080", "syntax error at the text shown", false}},
     .sources = {"CSDN-PS", "GH-ALM", "SEED-003:10239-10246"},
     .check = SyntaxErrorKind::missing_value,
 };

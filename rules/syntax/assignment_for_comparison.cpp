@@ -40,6 +40,7 @@ ENDIF
 R1=40
 M30
 )nc"}},
+    .alarms = {{"SINUMERIK", "12080", "syntax error at the text shown", false}},
     .sources = {"SEED-004:509"},
     .check = &check,
 };

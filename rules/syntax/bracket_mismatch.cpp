@@ -41,7 +41,8 @@ END
     .alarms = {{"FANUC 16i/18i/21i", "114", "FORMAT ERROR IN MACRO"},
                {"FANUC 30i/0i-D", "1131", "MISSING OPEN BRACKET", true, "opening-bracket"},
                {"FANUC 30i/0i-D", "1132", "MISSING CLOSE BRACKET", true, "closing-bracket"},
-               {"NCT", "3064", "BAD MACRO STATEMENT"}},
+               {"NCT", "3064", "BAD MACRO STATEMENT"},
+               {"SINUMERIK", "12080", "syntax error at the text shown", false}},
     .sources = {"GH-ALM", "NCT-188"},
     .check = SyntaxErrorKind::bracket_mismatch,
 };

@@ -32,6 +32,7 @@ O9126(PLATE, 1,5 THICK)
 G90 G1 X1.5 ,R2. F100
 M30
 )nc"}},
+    .alarms = {{"SINUMERIK", "12080", "syntax error at the text shown", false}},
     .sources = {"SEED-001:160; T: numbers have a point in all manuals"},
     .check = &check,
 };

@@ -56,7 +56,8 @@ N11 M30
 END
 )nc"}},
     .alarms = {{"FANUC 16i/18i/21i", "004", "ADDRESS NOT FOUND"},
-               {"FANUC 16i/18i/21i", "010", "IMPROPER G-CODE"}},
+               {"FANUC 16i/18i/21i", "010", "IMPROPER G-CODE"},
+               {"SINUMERIK", "12080", "syntax error at the text shown", false}},
     .sources = {"CSDN-VAR", "CSDN-PS", "SEED-003:2227-2229"},
     .check = &check,
 };

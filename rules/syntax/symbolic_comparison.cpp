@@ -28,7 +28,8 @@ IF[#100EQ2]GOTO5
 N5 M30
 )nc"}},
     .alarms = {{"FANUC 16i/18i/21i", "114", "FORMAT ERROR IN MACRO"},
-               {"FANUC 30i/0i-D", "1125", "ILLEGAL EXPRESSION FORMAT"}},
+               {"FANUC 30i/0i-D", "1125", "ILLEGAL EXPRESSION FORMAT"},
+               {"SINUMERIK", "12080", "syntax error at the text shown", false}},
     .sources = {"IMD-MAXZ", "GH-ALM"},
     .check = SyntaxErrorKind::symbolic_comparison,
 };

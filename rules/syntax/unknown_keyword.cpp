@@ -64,7 +64,8 @@ END
                {"FANUC 16i/18i/21i", "199", "MACRO WORD UNDEFINED", true, "keyword"},
                {"FANUC 30i/0i-D", "199", "MACRO WORD UNDEFINED", true, "keyword"},
                {"FANUC 30i/0i-D", "1125", "ILLEGAL EXPRESSION FORMAT", true, "operation"},
-               {"FANUC 30i/0i-D", "1137", "IF STATEMENT FORMAT ERROR", true, "if-form"}},
+               {"FANUC 30i/0i-D", "1137", "IF STATEMENT FORMAT ERROR", true, "if-form"},
+               {"SINUMERIK", "12080", "syntax error at the text shown", false}},
     .sources = {"IMD-114", "ISORP", "GH-ALM"},
     .check = &check,
 };

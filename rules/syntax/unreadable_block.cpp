@@ -80,7 +80,9 @@ M30
                {"FANUC 30i/0i-D", "1137", "IF STATEMENT FORMAT ERROR", true, "if-form"},
                {"FANUC 30i/0i-D", "1138", "WHILE STATEMENT FORMAT ERROR", true, "while-form"},
                {"NCT", "3064", "BAD MACRO STATEMENT", true,
-                "expression no-equals statement if-form while-form"}},
+                "expression no-equals statement if-form while-form"},
+               {"SINUMERIK", "12080", "syntax error at the text shown", false},
+               {"SINUMERIK", "12110", "syntax of the block cannot be interpreted", false}},
     .sources = {"CSDN-PS", "GH-ALM"},
     .check = &check,
 };

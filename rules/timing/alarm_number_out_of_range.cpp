@@ -48,6 +48,7 @@ O9601(CHECK)
 IF[#24EQ#0]THEN #3000=101(X MISSING)
 M99
 )nc"}},
+    .alarms = {{"SINUMERIK", "15700", "illegal number in SETAL", false}},
     .sources = {"CNCCI", "ZAPP-ALM"},
     .check = &check,
 };

@@ -58,7 +58,8 @@ N99 M30
 END
 )nc"}},
     .alarms = {{"FANUC 16i/18i/21i", "116", "WRITE PROTECTED VARIABLE", true, "number"},
-               {"FANUC 30i/0i-D", "116", "WRITE PROTECTED VARIABLE", true, "number"}},
+               {"FANUC 30i/0i-D", "116", "WRITE PROTECTED VARIABLE", true, "number"},
+               {"SINUMERIK", "17070", "data write-protected", false}},
     .sources = {"GH-ALM", "SEED-001:1337-1378", "IMD-IO", "SEED-003:19105-19387"},
     .check = &check,
 };

@@ -224,6 +224,7 @@ ControlModel make(std::string_view name, std::string_view description, std::opti
     // Axes, F, S, T, D stand once [T]; POS and POSA once for each axis, which their address does not say.
     control.repeatable = {"G", "H", "M", "POS", "POSA"};
     control.contradiction = Contradiction::forbidden;
+    control.alarms = "SINUMERIK";
     control.exclusive_codes = {{"spindle", 'M', {3, 4, 5}, "MD: alarm 14760"}};
     // How deep loops may stand in each other no public page tells [language.md 11.1].
     control.limits = {.macro_calls = 0,
