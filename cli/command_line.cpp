@@ -356,7 +356,7 @@ std::span<const Command> commands() {
         {{"check", "[PATH...]", "Lint files and folders", "", declare_check_command, check_command,
           check_examples},
          {"rules", "", "List the rules", "The list of rules.", declare_rules, rules_request, rules_examples},
-         {"explain", "RULE", "Show the page of a rule, a code, a variable or an alarm",
+         {"explain", "RULE", "Show the page of a rule, a code, a word of a language, a variable or an alarm",
           "The page of a rule, a code, a variable or an alarm.", declare_explain, explain_request,
           explain_examples},
          {"controls", "[NAME]", "List the controls, and what is known of each",

@@ -5,6 +5,7 @@
 
 #include <cstdint>
 #include <span>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -49,6 +50,9 @@ struct LanguageTables {
     std::span<const LanguageWord> words;
     std::span<const NamePlace> name_places;
     std::span<const BroughtCycle> cycles = {};
+    /// What a variable of the control is that has a name: "REAL, with 1 index; can only be read"; empty where
+    /// it has none of that name. Capitals. nullptr: such variables have numbers.
+    std::string (*about_variable)(std::string_view name) = nullptr;
 };
 
 /// "keyword", "function".

@@ -42,9 +42,11 @@ std::string text_of(const ExplainRequest& request, const Explanation& explanatio
         return list_of(explanation.meant, width) + " may be meant by '" + shown(request.rule) + "'.\n";
     std::string text; // with an empty line between pages
     for (const ExplainedPage& page : explanation.pages) text += (text.empty() ? "" : "\n") + page.text;
-    // The number of an alarm may be that of a rule, too.
+    // The number of an alarm may be that of a rule, too; a word may be a part of rules' names.
+    const bool is_alarm = explanation.pages.front().kind == "alarm";
     if (!explanation.meant.empty())
-        text += "\nRules with that number:\n" + list_of(explanation.meant, width) + ".\n";
+        text += (is_alarm ? "\nRules with that number:\n" : "\nRules with that name:\n") +
+                list_of(explanation.meant, width) + ".\n";
     return text;
 }
 

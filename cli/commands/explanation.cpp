@@ -8,6 +8,7 @@
 #include "cli/report/code_page.hpp"
 #include "cli/report/exemption_page.hpp"
 #include "cli/report/group_page.hpp"
+#include "cli/report/language_word_page.hpp"
 #include "cli/report/row_page.hpp"
 #include "cli/report/rule_page.hpp"
 #include "cli/report/variable_page.hpp"
@@ -89,6 +90,16 @@ std::vector<ExplainedPage> pages_of_code(const ExplainRequest& request, const Pa
     return pages;
 }
 
+/// Of a word of a language, "ATAN", "CYCLE83"; none where it is none of any.
+std::vector<ExplainedPage> pages_of_language_word(const ExplainRequest& request, const PageStyle& style) {
+    std::vector<ExplainedPage> pages;
+    for (const Dialect& dialect : dialects())
+        if (asks_for(request, dialect))
+            if (std::string text = plain_language_word_page(dialect, request.rule, style); !text.empty())
+                pages.push_back({"word", std::move(text)});
+    return pages;
+}
+
 /// Of an alarm by its number, "128", "PS0078"; none where no list has it.
 std::vector<ExplainedPage> pages_of_alarm(const ExplainRequest& request, const PageStyle& style) {
     if (request.dialect != nullptr) return {};
@@ -148,6 +159,8 @@ Explanation explanation_of(const ExplainRequest& request, const PageStyle& style
     if (auto pages = pages_of_alarm(request, style); !pages.empty())
         return {std::move(pages), std::move(named)};
     if (auto pages = pages_of_code(request, style); !pages.empty()) return {std::move(pages), {}};
+    if (auto pages = pages_of_language_word(request, style); !pages.empty())
+        return {std::move(pages), std::move(named)};
     if (named.size() != 1) add_rules_about(request, named);
     if (named.size() == 1) return {{page_of(named.front(), style)}, {}};
     return {{}, std::move(named)};

@@ -14,7 +14,7 @@ namespace maclint::cli {
 
 /// A page on one thing.
 struct ExplainedPage {
-    std::string_view kind;       ///< "rule", "row", "code", "variable", "alarm" or "exemption"
+    std::string_view kind;       ///< "rule", "row", "code", "word", "variable", "alarm" or "exemption"
     std::string text;            ///< laid out for reading
     NamedRule named = {nullptr}; ///< of a rule or a row
 };

@@ -42,6 +42,32 @@ TEST_F(Explain, TellsOfAlarmsByTheirNumber) {
         EXPECT_THAT(page({word}), HasSubstr("Alarm 078 ")) << word;
 }
 
+TEST_F(Explain, TellsOfAlarmsOfASinumerikByTheirNumber) {
+    EXPECT_THAT(page({"14080"}),
+                AllOf(StartsWith("Alarm 14080 "), HasSubstr("SINUMERIK: jump target not found"),
+                      HasSubstr("What brings it:"), HasSubstr("MAC301 jump-target-missing: ")));
+    EXPECT_THAT(page({"14009"}),
+                AllOf(HasSubstr("SINUMERIK: illegal program path"), Not(HasSubstr("What brings it:")),
+                      HasSubstr("no document at hand has them")))
+        << "no more is known than what it is called";
+}
+
+TEST_F(Explain, TellsOfWordsOfLanguages) {
+    EXPECT_THAT(page({"cycle81"}),
+                AllOf(StartsWith("CYCLE81 (SIEMENS SINUMERIK"), HasSubstr("cycle: "), HasSubstr("RTP, RFP"),
+                      HasSubstr("radius compensation has to be off")));
+    EXPECT_THAT(page({"MCALL"}), HasSubstr("calls the program after each move"));
+    EXPECT_THAT(page({"ATAN", "--control", "fanuc-16i"}),
+                AllOf(StartsWith("ATAN ("), HasSubstr("function: ")));
+    EXPECT_THAT(page({"while", "--dialect", "dinplus"}),
+                AllOf(StartsWith("WHILE (HEIDENHAIN DIN PLUS"), HasSubstr("\nRules with that name:\n")));
+    EXPECT_THAT(page({"$P_EP"}),
+                AllOf(StartsWith("$P_EP ("), HasSubstr("REAL, with 1 index; the last position "
+                                                       "of the program, can only be read")));
+    EXPECT_EQ(run({"explain", "$P_PE"}).status, 2);
+    EXPECT_EQ(run({"explain", "MCALL", "--dialect", "fanuc"}).status, 2);
+}
+
 TEST_F(Explain, WritesJsonForTools) {
     const auto explained = [&](const std::string& word) {
         return nlohmann::json::parse(page({word, "--format", "json"}));
@@ -54,6 +80,7 @@ TEST_F(Explain, WritesJsonForTools) {
     EXPECT_THAT(rule["pages"][0]["text"].get<std::string>(), HasSubstr("MAC303 jump-into-loop"));
     EXPECT_EQ(explained("#4109")["pages"][0]["kind"], "variable");
     EXPECT_EQ(explained("128")["pages"][0]["kind"], "alarm");
+    EXPECT_EQ(explained("MCALL")["pages"][0]["kind"], "word");
     EXPECT_EQ(explained("MAC523/G83.Q")["pages"][0]["row"], "MAC523/G83.Q");
     const auto jump = explained("jump");
     EXPECT_TRUE(jump["pages"].empty());

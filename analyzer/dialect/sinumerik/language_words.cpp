@@ -3,10 +3,12 @@
 
 #include "analyzer/dialect/sinumerik/cycles.hpp"
 #include "analyzer/dialect/sinumerik/functions.hpp"
+#include "analyzer/dialect/sinumerik/system_variables.hpp"
 #include "analyzer/dialect/sinumerik/words.hpp"
 
 #include <algorithm>
 #include <iterator>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -117,12 +119,39 @@ constexpr NamePlace name_places[] = {
     {NamePlace::Names::block, "REPEATB", "REPEATB"},
 };
 
+std::string_view name_of(SystemType type) {
+    switch (type) {
+    case SystemType::integer: return "INT";
+    case SystemType::real: return "REAL";
+    case SystemType::truth: return "BOOL";
+    case SystemType::character: return "CHAR";
+    case SystemType::text: return "STRING";
+    case SystemType::axis: return "AXIS";
+    case SystemType::frame: return "FRAME";
+    }
+    return {};
+}
+
+std::string about_system_variable(std::string_view name) {
+    const auto variable = find_system_variable(name);
+    if (!variable) return {};
+    std::string about(name_of(variable->type));
+    if (variable->indices > 0)
+        about +=
+            ", with " + std::to_string(variable->indices) + (variable->indices == 1 ? " index" : " indices");
+    if (const std::string_view held = held_by_read_only(name); !held.empty())
+        about += "; " + std::string(held) + ", can only be read";
+    if (is_kept_for_programs(name)) about += "; holds what programs store in it";
+    if (is_main_run_variable(name)) about += "; a read waits until the blocks before it have run";
+    return about;
+}
+
 } // namespace
 
 LanguageTables language_words() {
     static const std::vector<LanguageWord> all = all_words();
     static const std::vector<BroughtCycle> cycles = brought_cycles();
-    return {all, name_places, cycles};
+    return {all, name_places, cycles, &about_system_variable};
 }
 
 } // namespace maclint::sinumerik

@@ -110,10 +110,14 @@ std::string meaning_of_word(const ControlModel& control, std::span<const Word> b
 
 std::string meaning_of_name(const Dialect& dialect, std::string_view name) {
     const std::string capitals = in_upper_case(name);
-    for (const LanguageWord& word : dialect.words().words)
+    const LanguageTables tables = dialect.words();
+    for (const LanguageWord& word : tables.words)
         if (word.word == capitals)
             return "**" + capitals + "** " + std::string(name_of(word.use)) +
                    (word.what.empty() ? "" : ": " + std::string(word.what));
+    if (tables.about_variable != nullptr)
+        if (const std::string about = tables.about_variable(capitals); !about.empty())
+            return "**" + capitals + "** " + about;
     return {};
 }
 

@@ -84,7 +84,8 @@ TEST_F(LspHover, KnowsTheWordsOfEachLanguage) {
 }
 
 TEST_F(LspHover, KnowsTheWordsOfSinumerik) {
-    open("DEF REAL _WIDTH=5\nR1=_WIDTH\nG41 DIAMON\nCYCLE83(R1,2,3)\nIF R1>5 GOTOF ENDE\nENDE:\nM30\n",
+    open("DEF REAL _WIDTH=5\nR1=_WIDTH\nG41 DIAMON\nCYCLE83(R1,2,3)\nIF R1>5 GOTOF "
+         "ENDE\nENDE:\nR2=$P_EP[X]\nM30\n",
          "sinumerik");
     EXPECT_THAT(words(0, 1), HasSubstr("**DEF** keyword: declares"));
     EXPECT_THAT(words(1, 5), AllOf(HasSubstr("_WIDTH"), HasSubstr("declared as REAL")));
@@ -93,6 +94,7 @@ TEST_F(LspHover, KnowsTheWordsOfSinumerik) {
     EXPECT_THAT(words(2, 6), HasSubstr("**DIAMON**"));
     EXPECT_THAT(words(3, 3), HasSubstr("**CYCLE83** cycle: deep holes"));
     EXPECT_THAT(words(4, 9), HasSubstr("**GOTOF** keyword: jump forward"));
+    EXPECT_THAT(words(6, 5), HasSubstr("**$P_EP** REAL, with 1 index; the last position of the program"));
 }
 
 TEST_F(LspHover, TakesNoTextForARemark) {
