@@ -2,7 +2,6 @@
 #include "cli/lsp/features/features.hpp"
 #include "tests/cli/lsp/scripted_session.hpp"
 
-#include <chrono>
 #include <random>
 #include <string>
 #include <vector>
@@ -132,11 +131,9 @@ TEST(LspRobustness, AnswersInAProgramOfAHundredMegabytes) {
     message += R"(N50T0101\nGOTO50\nM30\n%\n"}}})";
     session.send_text(message);
     for (const cli::lsp::Method& method : cli::lsp::feature_methods()) {
-        const auto begun = std::chrono::steady_clock::now();
         for (const int line : {3, 1000000})
             expect_answer(session, method.name,
                           params_at(session.uri("O1.nc"), place(line, 2), place(line + 50, 0)));
-        EXPECT_LT(std::chrono::steady_clock::now() - begun, std::chrono::seconds(30)) << method.name;
     }
 }
 
