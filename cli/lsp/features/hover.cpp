@@ -111,7 +111,13 @@ class Speech {
         const Program& program = text_.programs().programs[place];
         add_of_shop(mention.span);
         const std::string_view written = program.slice(mention.span);
-        add(mention.span, meaning_of_variable(program, mention.named, text_.source().to_utf8(written)));
+        // A row of the language tells more than what all values of the machine have in common.
+        const std::string about = std::holds_alternative<MachineValue>(mention.named)
+                                      ? meaning_of_name(text_.dialect(), written.substr(0, written.find('[')))
+                                      : std::string();
+        add(mention.span, about.empty()
+                              ? meaning_of_variable(program, mention.named, text_.source().to_utf8(written))
+                              : about);
         if (const auto* argument = std::get_if<ArgumentName>(&mention.named))
             add(mention.span, words_of_argument(program, *argument));
         if (!std::holds_alternative<Variable>(mention.named)) return;
