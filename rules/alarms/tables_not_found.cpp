@@ -22,7 +22,6 @@ std::span<const NotFound> not_found() {
         {of_30i, "1146", "no document has the form of G10.1"},
         {of_30i, "1152", "no document has the form of G31.8 and G31.9"},
         {of_30i, "5044", "no document has the number"},
-        {of_sinumerik, "10757", memory_alone},
         {of_sinumerik, "10762", "a machine datum says how many are too many"},
         {of_sinumerik, "10790", memory_alone},
         {of_sinumerik, "10793", memory_alone},

@@ -1,4 +1,4 @@
-//! Rules that hold moves against each other: MAC510, MAC513, MAC555, MAC585.
+//! Rules that hold moves against each other: MAC510, MAC513, MAC535, MAC555, MAC585.
 #include "tests/rules/raised.hpp"
 #include "tests/support/linted.hpp"
 
@@ -118,6 +118,26 @@ TEST(BlocksWithoutAMove, AreTooManyForTheControl) {
     EXPECT_THAT(standing("M8\nG4 P500\nY40.\nX60.\n", "fanuc-16i"), IsEmpty()) << "on the way to the path";
     EXPECT_THAT(standing("Y40.\nM8\n(WATER)\n\nX60.\n", "fanuc-16i"), IsEmpty());
     EXPECT_THAT(standing("Y40.\nM8\nM98 P77\nM9\nX60.\n", "fanuc-16i"), IsEmpty());
+}
+
+// ---- MAC535
+
+std::vector<std::uint32_t> plane_changed(const std::string& blocks) {
+    return lines_raised("MAC535", "O9535\nG21 G17 G90 G40 G0 X-20. Y-20.\n" + blocks + "M30\n");
+}
+
+TEST(PlaneUnderCompensation, Changes) {
+    const std::string on = "G41 D1 G1 X0 F200.\n", off = "G40 Y-20.\n";
+    EXPECT_THAT(plane_changed(on + "Y40.\nG18\nX60.\n" + off), ElementsAre(5));
+    EXPECT_THAT(plane_changed(on + "Y40.\nG18 X60.\nG19 Y0\n" + off), ElementsAre(5)) << "once";
+    EXPECT_THAT(plane_changed(on + "Y40.\nG17\nX60.\n" + off), IsEmpty()) << "it is the same";
+    EXPECT_THAT(plane_changed(on + "Y40.\n" + off + "G18\n"), IsEmpty());
+    EXPECT_THAT(plane_changed(on + "Y40.\nG40 G18 X60.\n"), IsEmpty()) << "it ends there";
+    EXPECT_THAT(plane_changed("G18\n" + on + "X40.\nG40 X60.\nG17\n"), IsEmpty());
+    EXPECT_THAT(plane_changed("IF[#500EQ1]GOTO5\n" + on + "N5 G18\n" + off), IsEmpty()) << "on some paths";
+    EXPECT_THAT(plane_changed(on + "M98 P77\nG18\n" + off), IsEmpty()) << "who knows what that does";
+    EXPECT_THAT(lines_raised("MAC535", "O9535\nG41 D1 G1 X0 F200.\nY40.\nG18\n" + off + "M99\n"), IsEmpty())
+        << "which plane it was the caller knows";
 }
 
 } // namespace
