@@ -47,7 +47,9 @@ G0 X0 Y0
 M30
 )nc"}},
     .alarms = {{"FANUC 16i/18i/21i", "203", "PROGRAM MISS AT RIGID TAPPING", false},
-               {"FANUC 30i/0i-D", "203", "PROGRAM MISS AT RIGID TAPPING", false}},
+               {"FANUC 16i/18i/21i", "204", "ILLEGAL AXIS OPERATION", false},
+               {"FANUC 30i/0i-D", "203", "PROGRAM MISS AT RIGID TAPPING", false},
+               {"FANUC 30i/0i-D", "204", "ILLEGAL AXIS OPERATION", false}},
     .sources = {"T"},
     .check = MachineCheck{&check},
 };
