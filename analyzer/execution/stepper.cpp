@@ -3,6 +3,7 @@
 
 #include "analyzer/program/overloaded.hpp"
 #include "analyzer/program/tables.hpp"
+#include "analyzer/program/whole_number.hpp"
 #include "analyzer/workspace/bind.hpp"
 
 #include <algorithm>
@@ -14,13 +15,6 @@ namespace maclint::execution {
 namespace {
 
 constexpr std::int64_t most_times = 9999; // L of a call [T]
-
-/// A sequence number; a fraction is none.
-std::optional<std::int64_t> label_of(double number) {
-    constexpr double most = 9e15;
-    if (!(std::abs(number) < most) || std::floor(number) != number) return std::nullopt;
-    return static_cast<std::int64_t>(number);
-}
 
 } // namespace
 
@@ -88,7 +82,7 @@ void Stepper::resume(std::optional<double> label) {
     if (ended.modal) set_modal_call_code(ended.kind);
     std::optional<std::int64_t> number;
     if (label) {
-        number = label_of(*label);
+        number = whole_number(*label);
         const auto target = number && !ended.modal
                                 ? top().layout->find(*number, 0, LabelSearch::forward_then_top)
                                 : std::nullopt;
@@ -301,7 +295,7 @@ void Stepper::jump(const Jump& jump) {
         if (done()) return;
         const double target = content.value_or(0);
         if (!label) report(JumpComputed{target});
-        label = label_of(target);
+        label = whole_number(target);
     }
     const auto step =
         label ? top().layout->find(*label, top().layout->step_of(*effect_), jump.search) : std::nullopt;

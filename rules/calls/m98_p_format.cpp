@@ -1,5 +1,6 @@
 //! MAC417: how often a program runs stands in the digits of its number.
 #include "analyzer/program/tables.hpp"
+#include "analyzer/program/whole_number.hpp"
 #include "analyzer/queries/calls/call_words.hpp"
 #include "analyzer/source/budget.hpp"
 #include "rules/fixes.hpp"
@@ -79,7 +80,7 @@ const Word* word_with_number(const Program& program, const queries::CallInBlock&
 std::optional<std::int64_t> number_in(const Program& program, const queries::CallInBlock& call) {
     const Word* word = word_with_number(program, call);
     if (word == nullptr) return std::nullopt;
-    return static_cast<std::int64_t>(std::get<Literal>(word->value).value);
+    return whole_number(std::get<Literal>(word->value).value);
 }
 
 bool is_there(const ProgramAnalysis& analysis, std::int64_t number) {

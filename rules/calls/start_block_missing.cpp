@@ -1,13 +1,13 @@
 //! MAC426: a subprogram is to start at a block that it does not have.
 #include "analyzer/program/block_view.hpp"
 #include "analyzer/program/tables.hpp"
+#include "analyzer/program/whole_number.hpp"
 #include "analyzer/queries/calls/call_words.hpp"
 #include "analyzer/queries/calls/callers.hpp"
 #include "rules/path.hpp"
 #include "rules/rule.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -73,8 +73,8 @@ struct Start {
 std::optional<Start> start_in(const queries::CallInBlock& call) {
     for (const Word& word : call.words) {
         const auto* literal = std::get_if<Literal>(&word.value);
-        if (word.address == "Q" && literal != nullptr && literal->value == std::floor(literal->value))
-            return Start{&word, static_cast<std::int64_t>(literal->value)};
+        if (word.address != "Q" || literal == nullptr) continue;
+        if (const auto number = whole_number(literal->value)) return Start{&word, *number};
     }
     return std::nullopt;
 }

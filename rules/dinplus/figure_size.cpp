@@ -2,6 +2,7 @@
 #include "analyzer/program/numbered_blocks.hpp"
 #include "analyzer/program/section_blocks.hpp"
 #include "analyzer/program/tables.hpp"
+#include "analyzer/program/whole_number.hpp"
 #include "analyzer/program/word_lookup.hpp"
 #include "analyzer/workspace/program_analysis.hpp"
 #include "rules/path.hpp"
@@ -63,9 +64,9 @@ namespace {
 
 /// The codes of the four surfaces end alike [SEED-003: the pages of these codes].
 int figure_of(double code) {
-    const int number = static_cast<int>(code);
+    const std::int64_t number = whole_number(code).value_or(0);
     for (const int surface : {300, 310, 370, 380})
-        if (number >= surface && number < surface + 10) return number - surface;
+        if (number >= surface && number < surface + 10) return static_cast<int>(number - surface);
     return -1;
 }
 enum Figure : std::uint8_t { slot = 1, slot_left = 2, slot_right = 3, rectangle = 5, polygon = 7 };

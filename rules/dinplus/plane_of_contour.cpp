@@ -86,7 +86,7 @@ std::optional<double> plane_of(const SectionKind* section) {
 void check(const queries::WordsOfBlock& block, Reporter& reporter) {
     const auto code = number_of(block.words, "G"), number = number_of(block.words, "NS");
     if (!code || !number || std::ranges::find(cycles, *code) == cycles.end()) return;
-    const auto named = queries::find_contour_block(block.analysis.file(), static_cast<std::int64_t>(*number));
+    const auto named = queries::find_contour_block(block.analysis.file(), *number);
     const auto wanted = named ? plane_of(named->section) : std::nullopt;
     const auto group = block.analysis.control().group_with(ModalRole::plane);
     if (!wanted || !group) return;

@@ -1,5 +1,6 @@
 //! DIN720: G31 cuts a thread where its contour has none.
 #include "analyzer/program/section_blocks.hpp"
+#include "analyzer/program/whole_number.hpp"
 #include "analyzer/program/word_lookup.hpp"
 #include "analyzer/queries/contours/contour_blocks.hpp"
 #include "analyzer/queries/structure/text_order.hpp"
@@ -94,7 +95,7 @@ bool may_hold_thread(const NumberedBlock& first, double last) {
         const bool is_element = code && std::ranges::find(elements, *code) != elements.end();
         if (at_last && is_element) return false;
         if (block.breaks || !code || std::ranges::find(threads, *code) != threads.end()) return true;
-        at_last |= block.block.number == static_cast<std::int64_t>(last);
+        at_last |= block.block.number == whole_number(last);
     }
     return !inside || !at_last;
 }
@@ -107,7 +108,7 @@ void check(const ProgramAnalysis& analysis, Reporter& reporter) {
         const auto to = end == nullptr ? from : number_of(end);
         if (number_of(words, "G") != thread_cycle || !from || !to || *to < *from) return;
         if (find_word(words, "F") != nullptr || find_word(words, "ID") != nullptr) return;
-        const auto first = queries::find_contour_block(analysis.file(), static_cast<std::int64_t>(*from));
+        const auto first = queries::find_contour_block(analysis.file(), *from);
         if (!first || may_hold_thread(*first, *to)) return;
         reporter.report({analysis, view.span}, view.span, "plain",
                         {quoted(program, view.span), number_word(*from)});

@@ -78,8 +78,8 @@ void check(const ProgramAnalysis& analysis, Reporter& reporter) {
     for_each_running_block_with(program, "NE", [&](const BlockView& view, std::span<const Word> words) {
         const auto from = number_of(words, "NS"), to = number_of(words, "NE");
         if (!from || !to) return;
-        const auto first = queries::find_contour_block(analysis.file(), static_cast<std::int64_t>(*from));
-        const auto last = queries::find_contour_block(analysis.file(), static_cast<std::int64_t>(*to));
+        const auto first = queries::find_contour_block(analysis.file(), *from);
+        const auto last = queries::find_contour_block(analysis.file(), *to);
         if (!first || !last || section_of(*first) == section_of(*last)) return;
         reporter.report({analysis, view.span}, view.span, "plain",
                         {quoted(program, view.span), number_word(*from),

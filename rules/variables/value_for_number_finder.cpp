@@ -2,9 +2,9 @@
 #include "rules/variables/value_for_number_finder.hpp"
 
 #include "analyzer/program/tables.hpp"
+#include "analyzer/program/whole_number.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <cstdint>
 #include <optional>
 #include <variant>
@@ -37,13 +37,12 @@ std::optional<ExpressionId> value_in(const Program& program, ExpressionId index)
 /// The local variable whose number a literal is.
 std::optional<Variable> local_of(const Program& program, FamilyId family, ExpressionId number) {
     const auto* literal = std::get_if<Literal>(&program.expressions[number].node);
-    if (literal == nullptr || literal->value != std::floor(literal->value)) return std::nullopt;
-    const auto whole = static_cast<std::int32_t>(literal->value);
-    const VariableRange* range = program.control->families[family].find(whole);
+    const auto whole = literal == nullptr ? std::nullopt : whole_number(literal->value);
+    const VariableRange* range = whole ? program.control->families[family].find(*whole) : nullptr;
     if (range == nullptr || range->meaning != Meaning::variable ||
         program.control->spaces[range->space].scope != Scope::frame)
         return std::nullopt;
-    return Variable{range->space, whole};
+    return Variable{range->space, static_cast<std::int32_t>(*whole)};
 }
 
 std::optional<NumberForValue> number_in(const Program& program, const LoadAt& load) {

@@ -5,7 +5,6 @@
 #include "rules/words/row_of_block.hpp"
 #include "rules/words/word_list.hpp"
 
-#include <cmath>
 #include <string>
 #include <variant>
 
@@ -59,9 +58,9 @@ void check(const RowOfBlock& block, Reporter& reporter) {
     const WordRow& row = block.row();
     for (const Word* word : block.own(row.words)) {
         const auto* number = std::get_if<Literal>(&word->value);
-        if (number == nullptr || number->value != std::floor(number->value)) continue;
+        if (number == nullptr) continue;
         const ProgramFile& file = block.block.analysis.file();
-        const auto named = queries::find_contour_block(file, static_cast<std::int64_t>(number->value));
+        const auto named = queries::find_contour_block(file, number->value);
         if (!named) continue;
         queries::read_block(*named, [&](const BlockView& view, std::span<const Word> words) {
             for (const Word& code : words) {

@@ -7,6 +7,7 @@
 #include "analyzer/dialect/sinumerik/lowering.hpp"
 #include "analyzer/dialect/sinumerik/tables.hpp"
 #include "analyzer/dialect/sinumerik/words.hpp"
+#include "analyzer/program/whole_number.hpp"
 
 #include <algorithm>
 #include <array>
@@ -164,7 +165,10 @@ void BlockLowering::define_array(const Node& name, const Node& size, std::string
         } else if (!is_remark(part)) {
             gap = false;
             const auto number = literal_value(lower_expression(part));
-            array.sizes.push_back(number ? std::optional(static_cast<std::int32_t>(*number)) : std::nullopt);
+            const auto places = number ? whole_number(*number) : std::nullopt;
+            array.sizes.push_back(places ? std::optional(static_cast<std::int32_t>(std::min<std::int64_t>(
+                                               *places, std::numeric_limits<std::int32_t>::max())))
+                                         : std::nullopt);
         }
     });
     if (gap) array.sizes.emplace_back();

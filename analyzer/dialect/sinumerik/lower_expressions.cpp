@@ -5,6 +5,7 @@
 #include "analyzer/dialect/sinumerik/functions.hpp"
 #include "analyzer/dialect/sinumerik/lowering.hpp"
 #include "analyzer/dialect/sinumerik/tables.hpp"
+#include "analyzer/program/whole_number.hpp"
 #include "analyzer/source/text_hash.hpp"
 
 #include <algorithm>
@@ -160,7 +161,7 @@ ExpressionId BlockLowering::lower_system_variable(const Node& node) {
     if (capitals == "$P_GG" && index != nullptr) // the number of the group's member [SV]
         if (const Node* group = only_child(*index))
             if (const auto number = literal_value(lower_expression(*group)))
-                if (const auto row = row_of_g_group(static_cast<int>(*number)))
+                if (const auto row = row_of_g_group(whole_number(*number).value_or(0)))
                     return add({LoadModal{*row}, span(node)});
     if (index != nullptr) evaluate_axes(*index, span(node));
     return changing(without_blanks(text(node)), span(node));

@@ -6,6 +6,7 @@
 #include "analyzer/dialect/sinumerik/tables.hpp"
 #include "analyzer/dialect/sinumerik/words.hpp"
 #include "analyzer/program/overloaded.hpp"
+#include "analyzer/program/whole_number.hpp"
 
 #include <algorithm>
 #include <array>
@@ -239,7 +240,7 @@ void BlockLowering::set_group_by_number(const Node& index, ExpressionId value, S
     const Node* number = only_child(index);
     const auto group = number == nullptr ? std::nullopt : literal_value(lower_expression(*number));
     if (!group) return effect({SetModal{std::nullopt, changing("", whole)}, whole});
-    if (const auto row = row_of_g_group(static_cast<int>(*group)))
+    if (const auto row = row_of_g_group(whole_number(*group).value_or(0)))
         return effect({SetModal{*row, value}, whole});
     evaluate(value, whole);
 }

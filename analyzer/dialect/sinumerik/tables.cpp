@@ -257,7 +257,7 @@ ControlModel make(std::string_view name, std::string_view description, std::opti
 
 } // namespace
 
-std::optional<GroupId> row_of_g_group(int group) {
+std::optional<GroupId> row_of_g_group(std::int64_t group) {
     if (group < 0 || group >= static_cast<int>(group_rows().size())) return std::nullopt;
     const std::uint8_t row = group_rows()[static_cast<std::size_t>(group)];
     return row == no_row ? std::nullopt : std::optional<GroupId>(row);

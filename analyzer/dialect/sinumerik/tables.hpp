@@ -58,7 +58,7 @@ constexpr double program_stop = 0, optional_stop = 1, end = 2, end_and_back = 30
 }
 
 /// The row of ControlModel::groups for a G group of the language; nothing where it is not modal.
-[[nodiscard]] std::optional<GroupId> row_of_g_group(int group);
+[[nodiscard]] std::optional<GroupId> row_of_g_group(std::int64_t group);
 /// A code that writes a part of the programmable frame: "ATRANS".
 struct FrameCode {
     GroupId group;

@@ -2,14 +2,17 @@
 #include "analyzer/queries/contours/contour_blocks.hpp"
 
 #include "analyzer/program/item_at.hpp"
+#include "analyzer/program/whole_number.hpp"
 
 #include <algorithm>
 
 namespace maclint::queries {
 
-std::optional<NumberedBlock> find_contour_block(const ProgramFile& file, std::int64_t number) {
+std::optional<NumberedBlock> find_contour_block(const ProgramFile& file, double number) {
+    const auto whole = whole_number(number);
+    if (!whole) return std::nullopt;
     std::optional<NumberedBlock> found;
-    for (const NumberedBlock& block : find_blocks(file, {number})) {
+    for (const NumberedBlock& block : find_blocks(file, {*whole})) {
         if (block.section == nullptr || block.section->role != SectionKind::Role::contour) continue;
         if (found) return std::nullopt;
         found = block;

@@ -4,7 +4,6 @@
 #include "analyzer/program/block_view.hpp"
 #include "analyzer/program/numbered_blocks.hpp"
 
-#include <cstdint>
 #include <functional>
 #include <optional>
 #include <span>
@@ -13,7 +12,7 @@ namespace maclint::queries {
 
 /// The one block of the file's contours that bears the number; nothing where none or several do. The file
 /// must be indexed.
-[[nodiscard]] std::optional<NumberedBlock> find_contour_block(const ProgramFile& file, std::int64_t number);
+[[nodiscard]] std::optional<NumberedBlock> find_contour_block(const ProgramFile& file, double number);
 
 /// `visit(BlockView, words)` for the numbered block.
 void read_block(const NumberedBlock& block,
