@@ -202,6 +202,7 @@
     RULE(missing_tolerance)                     /* MAC726 */ \
     RULE(tolerance_inside_abs)                  /* MAC727 */ \
     RULE(logic_before_comparison)               /* MAC728 */ \
+    RULE(function_arguments)                    /* MAC729 */ \
     RULE(block_number_too_long)                  /* DIN004 */ \
     RULE(block_must_be_alone)                    /* DIN008 */ \
     RULE(foreign_comment_style)                  /* DIN013 */ \
@@ -258,7 +259,6 @@
     RULE(transfer_value_unchecked)               /* DIN330 */ \
     RULE(transfer_value_unknown)                 /* DIN331 */ \
     RULE(plc_variable_type)                      /* DIN333 */ \
-    RULE(function_arguments)                     /* DIN335 */ \
     RULE(unknown_selector)                       /* DIN336 */ \
     RULE(unknown_internal_constant)              /* DIN337 */ \
     RULE(other_vacancy_test)                     /* DIN338 */ \

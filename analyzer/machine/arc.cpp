@@ -45,6 +45,11 @@ class Reader {
     }
     [[nodiscard]] bool can_be_read(char letter) const;
     [[nodiscard]] double value(char letter) const;
+    [[nodiscard]] double from_start(std::size_t axis) const;
+    [[nodiscard]] bool has_absolute_centre() const {
+        return std::ranges::any_of(machine_.centres,
+                                   [&](char letter) { return step_.words.absolute(letter).has_value(); });
+    }
     [[nodiscard]] std::optional<std::size_t> outside_axis() const;
     [[nodiscard]] std::optional<std::size_t> outside_axis_by_letters() const;
     [[nodiscard]] std::optional<double> way(std::size_t axis) const;
@@ -61,6 +66,12 @@ class Reader {
     std::array<std::size_t, 2> plane_ = {x_axis, y_axis};
 
   public:
+    /// Whether the place of the start is known, and no length may be a diameter.
+    [[nodiscard]] bool knows_centre(std::size_t outside) const {
+        const Pair start = in_plane(step_.before.position);
+        return !std::isnan(start[0]) && !std::isnan(start[1]) &&
+               !(machine_.diameter_by_code && outside == y_axis);
+    }
     void choose_plane(std::size_t outside) {
         plane_ = {outside == x_axis ? y_axis : x_axis, outside == z_axis ? y_axis : z_axis};
     }
@@ -74,7 +85,7 @@ bool Reader::is_circle() const {
 
 /// A number without a point may mean steps of a thousandth.
 bool Reader::can_be_read(char letter) const {
-    if (!has(letter)) return true;
+    if (!has(letter) || step_.words.absolute(letter)) return true;
     const auto number = step_.words.number(letter);
     return number && number->is_length();
 }
@@ -82,6 +93,13 @@ bool Reader::can_be_read(char letter) const {
 double Reader::value(char letter) const {
     const auto number = letter == 0 ? std::nullopt : step_.words.number(letter);
     return number ? number->value : 0;
+}
+
+/// The centre's place along the axis.
+double Reader::from_start(std::size_t axis) const {
+    const char letter = machine_.centres[axis];
+    const auto absolute = step_.words.absolute(letter);
+    return absolute ? *absolute - step_.before.position[axis] : value(letter);
 }
 
 /// The axis that stands on the plane.
@@ -170,7 +188,7 @@ bool Reader::fits_otherwise(const Pair& way, const Pair& centre) const {
 }
 
 Arc Reader::by_centre(const Pair& way, std::size_t outside) const {
-    const Pair centre = {value(machine_.centres[plane_[0]]), value(machine_.centres[plane_[1]])};
+    const Pair centre = {from_start(plane_[0]), from_start(plane_[1])};
     Arc arc{.first = length(centre), .second = length({way[0] - centre[0], way[1] - centre[1]})};
     const bool fits = std::abs(arc.first - arc.second) <= tolerance();
     if (const char other = machine_.centres[outside]; value(other) != 0) {
@@ -181,7 +199,7 @@ Arc Reader::by_centre(const Pair& way, std::size_t outside) const {
         arc.leaves_plane = has_end(outside);
     } else if (arc.first == 0) {
         arc.fault = ArcFault::centre_at_start;
-    } else if (!fits && !fits_otherwise(way, centre)) {
+    } else if (!fits && (has_absolute_centre() || !fits_otherwise(way, centre))) {
         arc.fault = ArcFault::radii;
     }
     return arc;
@@ -208,6 +226,7 @@ std::optional<Arc> Reader::read() const {
     if (!outside) return std::nullopt;
     Reader chosen = *this;
     chosen.choose_plane(*outside);
+    if (has_absolute_centre() && !chosen.knows_centre(*outside)) return std::nullopt;
     std::array<double, 3> ways = {};
     for (const std::size_t axis : chosen.plane_) {
         const std::optional<double> along = way(axis);

@@ -32,6 +32,7 @@ Words::Words(std::span<const Word> words, const MachineWords& machine)
     : lengths_without_point_(machine.lengths_without_point) {
     if (!words.empty()) span_ = {words.front().span.begin, words.back().span.end};
     for (const Word& word : words) {
+        only_count_ &= word.address == "P";
         if (!machine.radius_address.empty() && word.address == machine.radius_address)
             words_[index(machine.radius)] = &word;
         has_clamp_ |= !machine.clamp_address.empty() && word.address == machine.clamp_address;
@@ -53,8 +54,14 @@ std::optional<Number> Words::number(char letter) const {
     if (letter == 0 || !has(letter)) return std::nullopt;
     const Word& found = *word(letter);
     const auto* literal = std::get_if<Literal>(&found.value);
-    if (literal == nullptr) return std::nullopt;
+    if (literal == nullptr || found.absolute) return std::nullopt;
     return Number{literal->value, literal->decimal_point || lengths_without_point_, found.span};
+}
+
+std::optional<double> Words::absolute(char letter) const {
+    if (letter == 0 || !has(letter) || !word(letter)->absolute) return std::nullopt;
+    const auto* literal = std::get_if<Literal>(&word(letter)->value);
+    return literal == nullptr ? std::nullopt : std::optional(literal->value);
 }
 
 bool Words::has_g(double code) const { return contains(g_codes(), code); }
@@ -160,7 +167,10 @@ void Stepper::apply(State& state, const BlockView& block, const Words& words) {
     change_tool(state, block, words);
     choose_offsets(state, block, words);
     if (words.has_one_of(machine_->resetting)) state.forget_position();
-    if (moves_) move(state, words, block.span.begin);
+    if (moves_ && words.only_count())
+        run_blocks_elsewhere(state);
+    else if (moves_)
+        move(state, words, block.span.begin);
     if (words.has_other_target()) state.forget_position();
     watch_tapping(state, block, words);
     run_profile(state, block, words);
@@ -175,6 +185,14 @@ void Stepper::watch_demands(State& state, const Words& words) const {
         if (begins_anew && block.place != DemandedBlock::Place::start) state.demands_met &= ~bit;
         if (says(words, state, *control_, block)) state.demands_met |= bit;
     }
+}
+
+/// A block without words of its own moves by blocks that stand elsewhere: nobody can say where they end.
+void Stepper::run_blocks_elsewhere(State& state) {
+    move_ = Move::unknown;
+    state.forget_position();
+    for (Known* known : {&state.moved_in_z, &state.plunged, &state.cut, &state.cycle_level, &state.coolant})
+        *known = Known::nothing();
 }
 
 /// The blocks of a profile stand behind the cycle that reads them. The control goes on behind the last, with

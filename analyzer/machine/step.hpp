@@ -40,8 +40,11 @@ class Words {
     Words(std::span<const Word> words, const MachineWords& machine);
 
     [[nodiscard]] bool has(char letter) const { return words_[index(letter)] != nullptr; }
-    /// The first word of the letter, where it is a number; nothing where it is missing or calculated.
+    /// The first word of the letter, where it is a number; nothing where it is missing or calculated, or
+    /// counts from elsewhere than such words do.
     [[nodiscard]] std::optional<Number> number(char letter) const;
+    /// A number that counts from the program's zero, and says so.
+    [[nodiscard]] std::optional<double> absolute(char letter) const;
     [[nodiscard]] const Word* word(char letter) const { return words_[index(letter)]; }
     [[nodiscard]] std::span<const double> g_codes() const { return g_codes_.all(); }
     [[nodiscard]] std::span<const double> m_codes() const { return m_codes_.all(); }
@@ -56,6 +59,8 @@ class Words {
 
     /// Whether a word of several letters gives the highest speed of the spindle.
     [[nodiscard]] bool has_clamp() const { return has_clamp_; }
+    /// Whether they say no more than how often (P) something is done.
+    [[nodiscard]] bool only_count() const { return only_count_; }
 
   private:
     [[nodiscard]] static std::size_t index(char letter) { return static_cast<std::size_t>(letter - 'A'); }
@@ -77,6 +82,7 @@ class Words {
     bool has_computed_code_ = false;
     bool has_other_target_ = false;
     bool has_clamp_ = false;
+    bool only_count_ = true;
     bool lengths_without_point_;
 };
 
@@ -146,6 +152,7 @@ class Stepper {
     void watch_tapping(State& state, const BlockView& block, const Words& words) const;
     void choose_offsets(State& state, const BlockView& block, const Words& words) const;
     void move(State& state, const Words& words, Offset here);
+    void run_blocks_elsewhere(State& state);
     void run_profile(State& state, const BlockView& block, const Words& words) const;
     void move_in_cycle(State& state, const Words& words) const;
     [[nodiscard]] Move kind_of_move(const State& state, const Words& words) const;

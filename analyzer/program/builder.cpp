@@ -105,6 +105,15 @@ void ProgramBuilder::end_block(Block block) {
     program_.items.emplace_back(block);
 }
 
+void ProgramBuilder::replace_effects(ItemId block) {
+    Slice& own = std::get<Block>(program_.items[block]).effects;
+    // Who looks through all effects finds each once.
+    for (Id id = own.first; id < own.first + own.count; ++id) program_.effects[id].what = EvaluateWords{};
+    own = {end_of(program_.effects), end_of(effects_)};
+    std::ranges::move(effects_, std::back_inserter(program_.effects));
+    effects_.clear();
+}
+
 void ProgramBuilder::add_run(PlainRun run, std::span<const ModalSetting> net,
                              std::span<const CodeWords> beside_codes) {
     run.net = append(program_.settings, net);

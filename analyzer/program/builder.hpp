@@ -74,7 +74,11 @@ class ProgramBuilder {
     void add_external(ExternalDeclaration declared) { program_.externals.push_back(std::move(declared)); }
     void add_unknown_name(UnknownName name) { program_.unknown_names.push_back(std::move(name)); }
     void give_name(std::string capitals) { program_.given_names.push_back(std::move(capitals)); }
-    void give_switch(std::string capitals) { program_.given_switches.push_back(std::move(capitals)); }
+    void give_word(GivenWord word) { program_.given_words.push_back(std::move(word)); }
+    void add_array(ArrayDefinition array) { program_.arrays.push_back(std::move(array)); }
+    void add_foreign_element(std::string array, std::span<const ExpressionId> indices, Span span) {
+        program_.foreign_elements.push_back({std::move(array), add_operands(indices), span});
+    }
     void add_array_index(const ArrayIndex& index) { program_.array_indices.push_back(index); }
     void set_parameters_unknown() { program_.parameters_unknown = true; }
     void set_definition(Span span) { program_.definition = span; }
@@ -117,6 +121,8 @@ class ProgramBuilder {
     void add_unreadable(const NamedInBlock& named, Span span);
     /// For Call::arguments.
     [[nodiscard]] Slice add_arguments(std::span<const Argument> arguments);
+    /// A block that has ended gets the effects since begin_block(), and loses its own.
+    void replace_effects(ItemId block);
     /// The block does nothing after all: it stands in a list for the operator.
     void drop_effects() { effects_.clear(); }
     /// How many effects the block has so far.

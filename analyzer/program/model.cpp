@@ -159,6 +159,10 @@ std::span<const ExpressionId> Program::values_of(const Exchange& exchange) const
     return part_of(operands, exchange.out);
 }
 
+std::span<const ExpressionId> Program::indices_of(const ForeignElement& element) const {
+    return part_of(operands, element.indices);
+}
+
 std::span<const Variable> Program::variables_of(const Exchange& exchange) const {
     return part_of(variables, exchange.in);
 }

@@ -1,6 +1,7 @@
 //! The program model: what flow, data flow and rules see of a program in any language.
 #pragma once
 
+#include "analyzer/program/given.hpp"
 #include "analyzer/program/ids.hpp"
 #include "analyzer/program/label_search.hpp"
 #include "analyzer/program/names.hpp"
@@ -268,6 +269,7 @@ struct Word {
     std::variant<std::monostate, Literal, ExpressionId> value; ///< an expression is no literal number
     bool incremental;
     Span span;
+    bool absolute = false; ///< it says that its number counts from the program's zero, where others do not
 
     [[nodiscard]] bool has_value() const { return !std::holds_alternative<std::monostate>(value); }
 };
@@ -365,6 +367,13 @@ struct ArrayIndex {
     Span declared;
 };
 
+/// An element of an array that the text does not define.
+struct ForeignElement {
+    std::string array; ///< capitals
+    Slice indices;     ///< Program::operands
+    Span span;
+};
+
 /// A name that the text uses and does not define: the machine's maker or another file does, or it is
 /// misspelt.
 struct UnknownName {
@@ -417,12 +426,14 @@ class Program {
     Channels channels = 0;       ///< all that its text names: it runs in each of them at the same time
     std::vector<Formal> formals; ///< parameters, by position
     std::vector<ExternalDeclaration> externals;
-    std::vector<ArrayIndex> array_indices;   ///< in text order
-    std::vector<UnknownName> unknown_names;  ///< in text order
-    std::vector<std::string> given_names;    ///< that it defines for all programs; capitals
-    std::vector<std::string> given_switches; ///< of these, words that only switch something of the machine
-    Span definition;                         ///< of its parameters: `PROC …`; empty: the text has none
-    bool parameters_unknown = false;         ///< its definition cannot be read
+    std::vector<ArrayIndex> array_indices;        ///< in text order
+    std::vector<UnknownName> unknown_names;       ///< in text order
+    std::vector<std::string> given_names;         ///< that it defines for all programs; capitals
+    std::vector<GivenWord> given_words;           ///< of these, those that stand for pieces of blocks
+    std::vector<ArrayDefinition> arrays;          ///< that it defines
+    std::vector<ForeignElement> foreign_elements; ///< in text order
+    Span definition;                              ///< of its parameters: `PROC …`; empty: the text has none
+    bool parameters_unknown = false;              ///< its definition cannot be read
     std::unordered_map<Variable, Declaration, VariableHash> declarations;
     std::vector<Variable> handed_down; ///< locals that all programs called from here see, too: #l1(200)
     std::unordered_map<Variable, Variable, VariableHash>
@@ -434,6 +445,7 @@ class Program {
     [[nodiscard]] std::span<const ExpressionId> operands_of(const Apply& apply) const;
     [[nodiscard]] std::span<const ExpressionId> values_of(const EvaluateWords& values) const;
     [[nodiscard]] std::span<const ExpressionId> values_of(const Exchange& exchange) const;
+    [[nodiscard]] std::span<const ExpressionId> indices_of(const ForeignElement& element) const;
     [[nodiscard]] std::span<const Variable> variables_of(const Exchange& exchange) const;
     [[nodiscard]] std::span<const Variable> variables_of(const UnreadableBlock& block) const;
     [[nodiscard]] std::span<const Label> labels_of(const UnreadableBlock& block) const;

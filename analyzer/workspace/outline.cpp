@@ -34,7 +34,9 @@ ProgramOutline outline_of(const Program& program) {
                            .local = program.local,
                            .started_by_hand = program.started == Program::Started::by_hand,
                            .given_names = program.given_names,
-                           .given_switches = program.given_switches,
+                           .given_words = program.given_words,
+                           .arrays =
+                               program.given_names.empty() ? std::vector<ArrayDefinition>{} : program.arrays,
                            .calls = {}};
     // Names are compared without case: controls store capitals, file systems do not.
     for (const std::string& name : program.also_known_as) outline.names.push_back(in_capitals(name));

@@ -34,9 +34,10 @@ struct ProgramOutline {
     std::string folder = {};        ///< on the control, in capitals, where the text says it
     bool local = false;             ///< only programs of its own file can call it
     bool started_by_hand = false;
-    std::vector<std::string> given_names = {};    ///< that it defines for all programs; in capitals
-    std::vector<std::string> given_switches = {}; ///< of these, words that only switch something
-    std::vector<CallOutline> calls;               ///< in the order of for_each_effect
+    std::vector<std::string> given_names = {}; ///< that it defines for all programs; in capitals
+    std::vector<GivenWord> given_words = {};   ///< of these, those that stand for pieces of blocks
+    std::vector<ArrayDefinition> arrays = {};  ///< of these, where it gives names
+    std::vector<CallOutline> calls;            ///< in the order of for_each_effect
     friend bool operator==(const ProgramOutline&, const ProgramOutline&) = default;
 };
 

@@ -2,16 +2,32 @@
 #include "analyzer/workspace/program_analysis.hpp"
 
 #include "analyzer/dialect/ascii.hpp"
+#include "analyzer/machine/given_words.hpp"
 #include "analyzer/machine/states.hpp"
 #include "analyzer/machine/switch_states.hpp"
+#include "analyzer/program/block_view.hpp"
 #include "analyzer/program/tables.hpp"
 
 #include <algorithm>
 #include <iterator>
 #include <ranges>
+#include <unordered_map>
 #include <variant>
 
 namespace maclint {
+namespace {
+
+/// Whether the effect is all that its block does.
+bool stands_alone(const Program& program, EffectId effect) {
+    const Offset place = program.effects[effect].span.begin;
+    const auto after =
+        std::ranges::partition_point(std::views::iota(ItemId{0}, static_cast<ItemId>(program.items.size())),
+                                     [&](ItemId item) { return program.span_of(item).begin <= place; });
+    const auto block = *after == 0 ? std::nullopt : stored_block(program, *after - 1);
+    return block && block->effects.count == 1 && block->words.empty();
+}
+
+} // namespace
 
 ProgramAnalysis::ProgramAnalysis(const Workspace& workspace, ProgramIndex index, const WorkspaceFile& file,
                                  const Program& program)
@@ -36,14 +52,14 @@ const dataflow::Liveness& ProgramAnalysis::liveness() const {
     });
 }
 
-bool ProgramAnalysis::is_switch(EffectId call) const {
-    const auto& switches = names_elsewhere().switches;
-    if (switches == nullptr || switches->empty()) return false;
-    const CallSite* site = call_at(call);
-    if (site != nullptr && site->target) return false;
+const GivenWord* ProgramAnalysis::word_at(EffectId call) const {
     const auto* made = std::get_if<Call>(&program_->effects[call].what);
     const Text* name = made == nullptr ? nullptr : std::get_if<Text>(&made->program);
-    return name != nullptr && switches->contains(in_capitals(program_->slice(name->characters)));
+    const auto& words = names_elsewhere().words;
+    if (name == nullptr || words == nullptr || words->empty()) return nullptr;
+    const GivenWord* word = names_elsewhere().word(in_capitals(program_->slice(name->characters)));
+    if (word == nullptr || !word->is_known) return nullptr;
+    return word->only_switches() || stands_alone(*program_, call) ? word : nullptr;
 }
 
 const ProgramAnalysis* ProgramAnalysis::followed(const CallSite* site) const {
@@ -54,11 +70,14 @@ const ProgramAnalysis* ProgramAnalysis::followed(const CallSite* site) const {
 
 const machine::States& ProgramAnalysis::machine() const {
     return *machine_.get([this] {
+        const auto words = std::make_shared<std::unordered_map<EffectId, machine::Left>>();
+        for (const CallSite& site : calls_)
+            if (const GivenWord* word = word_at(site.effect))
+                words->emplace(site.effect, machine::left_by(*word, control()));
         return std::make_unique<const machine::States>(
             *program_, graph_,
-            [this](EffectId call) -> const machine::Left* {
-                static const machine::Left nothing{{}, {}, {}, true};
-                if (is_switch(call)) return &nothing;
+            [this, words](EffectId call) -> const machine::Left* {
+                if (const auto word = words->find(call); word != words->end()) return &word->second;
                 const ProgramAnalysis* called = followed(call_at(call));
                 return called == nullptr ? nullptr : &called->machine().left();
             },

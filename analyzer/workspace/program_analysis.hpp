@@ -115,8 +115,10 @@ class ProgramAnalysis {
 
     [[nodiscard]] const std::vector<CallSite>& calls() const { return calls_; }
     [[nodiscard]] const CallSite* call_at(EffectId effect) const;
-    /// Whether the call names no program, but a word of a file of definitions that only switches something.
-    [[nodiscard]] bool is_switch(EffectId call) const;
+    /// The word of a file of definitions that the call names instead of a program, where it is known what it
+    /// does there: beside other words one that sets something may be any piece of the block. Otherwise
+    /// nullptr.
+    [[nodiscard]] const GivenWord* word_at(EffectId call) const;
     [[nodiscard]] const std::vector<Caller>& callers() const { return callers_; }
     /// Calls that mean this program or another one, equally near: the first of them.
     [[nodiscard]] PossibleCallers possible_callers() const;

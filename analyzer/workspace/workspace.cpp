@@ -103,7 +103,10 @@ class WorkspaceBuilder {
         });
         std::ranges::sort(calls);
         for (const auto& [effect, call] : calls) {
-            const Namesakes meant = resolver.resolve(file, outline, *call);
+            const auto* name = std::get_if<std::string>(&call->program);
+            // A word of a file of definitions is read before a program of its name is looked for.
+            const bool is_word = name != nullptr && analysis.names_elsewhere().word(*name) != nullptr;
+            const Namesakes meant = is_word ? Namesakes{} : resolver.resolve(file, outline, *call);
             const auto target = meant.only();
             analysis.calls_.push_back({effect, target, false, false, meant.all, {}});
             const Caller caller{analysis.index(), effect};
@@ -321,7 +324,8 @@ class WorkspaceBuilder {
         const dataflow::Callees callees = [&analysis, &programs = programs_](EffectId call) {
             static const dataflow::Summary unknown{};
             const CallSite* site = analysis.call_at(call);
-            if (analysis.is_switch(call)) return dataflow::Callee{unknown, {}, nullptr, true};
+            if (const GivenWord* word = analysis.word_at(call))
+                return dataflow::Callee{unknown, {}, nullptr, word};
             // Within a cycle no summary is there yet: its calls count as unknown, whatever the order of work.
             if (site == nullptr || !site->target || site->in_cycle) return dataflow::Callee{unknown, {}};
             const ProgramAnalysis& called = programs[*site->target];

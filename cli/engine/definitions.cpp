@@ -2,6 +2,20 @@
 #include "cli/engine/definitions.hpp"
 
 namespace maclint::cli {
+namespace {
+
+/// Two files may give a name with different meanings: then nobody knows which counts.
+void add(GivenByName<GivenWord>& words, const GivenWord& word) {
+    const auto [known, is_new] = words.emplace(word.name, word);
+    if (!is_new && known->second != word) known->second = {word.name, false};
+}
+
+void add(GivenByName<ArrayDefinition>& arrays, const ArrayDefinition& array) {
+    const auto [known, is_new] = arrays.emplace(array.name, array);
+    if (!is_new && known->second != array) known->second = {array.name, {}, {}};
+}
+
+} // namespace
 
 Definitions::Definitions(const Snapshot& snapshot, std::span<const FileOutline> outlines) {
     for (std::size_t i = 0; i < outlines.size(); ++i)
@@ -9,7 +23,8 @@ Definitions::Definitions(const Snapshot& snapshot, std::span<const FileOutline> 
             if (program.given_names.empty()) continue;
             const Given& given = given_[program.language];
             given.names->insert(program.given_names.begin(), program.given_names.end());
-            given.switches->insert(program.given_switches.begin(), program.given_switches.end());
+            for (const GivenWord& word : program.given_words) add(*given.words, word);
+            for (const ArrayDefinition& array : program.arrays) add(*given.arrays, array);
             folders_.add_that_of(snapshot.files[i].input.path, program.language);
         }
 }
@@ -18,7 +33,8 @@ NamesElsewhere Definitions::names_for(const SnapshotFile& file, std::string_view
     NamesElsewhere result;
     if (const auto known = given_.find(language); known != given_.end()) {
         result.defined = known->second.names;
-        result.switches = known->second.switches;
+        result.words = known->second.words;
+        result.arrays = known->second.arrays;
     }
     if (file.settings.configuration != nullptr) result.named = file.settings.configuration->known_names;
     result.are_all =

@@ -26,7 +26,9 @@ class Definitions {
   private:
     struct Given {
         std::shared_ptr<TextSet> names = std::make_shared<TextSet>();
-        std::shared_ptr<TextSet> switches = std::make_shared<TextSet>();
+        std::shared_ptr<GivenByName<GivenWord>> words = std::make_shared<GivenByName<GivenWord>>();
+        std::shared_ptr<GivenByName<ArrayDefinition>> arrays =
+            std::make_shared<GivenByName<ArrayDefinition>>();
     };
     std::map<std::string_view, Given> given_; ///< by language
     Folders folders_;                         ///< with such files

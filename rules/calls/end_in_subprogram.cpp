@@ -110,7 +110,7 @@ void check(const ProgramAnalysis& analysis, Reporter& reporter) {
     const auto caller = std::ranges::find_if(analysis.callers(), [&](const Caller& one) {
         const ProgramAnalysis& program_of_call = queries::calling_program(analysis, one);
         const auto call = program_of_call.graph().node_of(one.effect);
-        return call && program_of_call.data().reached(*call) &&
+        return call && program_of_call.data().reached(*call) && queries::is_of_one_control(analysis, one) &&
                !(last_call.is_on() && is_last(program_of_call, *call));
     });
     if (caller == analysis.callers().end()) return;

@@ -115,7 +115,7 @@ bool is_outside(const dataflow::Application& application) {
     case Operation::square_root: return operand.high < 0;
     case Operation::arc_sine:
     case Operation::arc_cosine: return operand.high < -1 || operand.low > 1;
-    case Operation::logarithm: return operand.high < 0;
+    case Operation::logarithm: return operand.high <= 0;
     default: return false;
     }
 }

@@ -1,14 +1,14 @@
 //! SIN207: an index beyond its array.
 #include "analyzer/dataflow/facts/read.hpp"
-#include "analyzer/workspace/program_analysis.hpp"
+#include "analyzer/queries/names/array_indices.hpp"
 #include "rules/path.hpp"
 #include "rules/rule.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <optional>
-#include <string>
 #include <unordered_map>
+#include <vector>
 
 namespace maclint::rules {
 
@@ -76,7 +76,6 @@ Ranges ranges_read(const ProgramAnalysis& analysis) {
     return ranges;
 }
 
-/// Of a number, a variable, or a sum of such; nothing for all else, and where no path leads.
 std::optional<Range> range_of(const Program& program, const Ranges& ranges, ExpressionId id) {
     const auto& node = program.expressions[id].node;
     if (const auto* literal = std::get_if<Literal>(&node)) return Range{literal->value, literal->value};
@@ -97,9 +96,10 @@ std::optional<Range> range_of(const Program& program, const Ranges& ranges, Expr
 
 void check(const ProgramAnalysis& analysis, Reporter& reporter) {
     const Program& program = analysis.program();
-    if (program.array_indices.empty()) return;
+    const std::vector<ArrayIndex> indices = queries::known_indices(analysis);
+    if (indices.empty()) return;
     const Ranges ranges = ranges_read(analysis);
-    for (const ArrayIndex& index : program.array_indices) {
+    for (const ArrayIndex& index : indices) {
         const auto range = range_of(program, ranges, index.index);
         if (!range || !std::isfinite(range->low) || !std::isfinite(range->high)) continue;
         const double last = index.size - 1;
@@ -110,7 +110,8 @@ void check(const ProgramAnalysis& analysis, Reporter& reporter) {
             {analysis, index.array}, program.expressions[index.index].span, always ? "always" : "reaches",
             {quoted(program, index.array), number_word(wrong), number_word(last)});
         if (!always) finding.severity = Severity::warning;
-        finding.related.push_back({analysis.source(), index.declared, "the array is defined here"});
+        if (!index.declared.empty())
+            finding.related.push_back({analysis.source(), index.declared, "the array is defined here"});
     }
 }
 

@@ -51,6 +51,17 @@ M17
 
 namespace {
 
+/// Empty where the argument is none, or nobody knows its type.
+std::string_view type_of_variable(const ProgramAnalysis& analysis, const Argument& argument, bool is_array) {
+    if (is_array) {
+        const ArrayDefinition* array = queries::array_given(analysis, argument);
+        return array == nullptr ? std::string_view{} : array->type;
+    }
+    const Program& program = analysis.program();
+    const bool is_variable = std::holds_alternative<Load>(program.expressions[argument.value].node);
+    return is_variable ? queries::type_given(program, argument) : std::string_view{};
+}
+
 void check(const ProgramAnalysis& analysis, Reporter& reporter) {
     const Program& program = analysis.program();
     queries::for_each_known_call(analysis, [&](const CallSite& site, const Call& call, const auto& called) {
@@ -58,9 +69,8 @@ void check(const ProgramAnalysis& analysis, Reporter& reporter) {
         for (std::size_t i = 0; i < formals.size(); ++i) {
             const Formal& formal = formals[i];
             const Argument* argument = queries::argument_at(program, call, i);
-            if (argument == nullptr || formal.passing != Passing::by_reference || formal.is_array) continue;
-            if (!std::holds_alternative<Load>(program.expressions[argument->value].node)) continue;
-            const std::string_view given = queries::type_given(program, *argument);
+            if (argument == nullptr || formal.passing != Passing::by_reference) continue;
+            const std::string_view given = type_of_variable(analysis, *argument, formal.is_array);
             if (given.empty() || given == formal.type) continue;
             reporter
                 .report({analysis, site.effect}, argument->span, "type",

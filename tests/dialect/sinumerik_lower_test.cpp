@@ -74,6 +74,25 @@ TEST(SinumerikFlow, LoopsAndBranchesPair) {
               "open while less(R1, 1)\nclose while\nopen endless\nclose endless");
 }
 
+TEST(SinumerikFlow, APartThatEndsAtRepeatIsALoopThatCounts) {
+    EXPECT_EQ(lower("ROW: R1=1\nREPEAT ROW P=3"),
+              "ROW: R1 := 1\nif less(REPEAT 1, 3) {REPEAT 1 := add(REPEAT 1, 1); jump ROW backward}; "
+              "exchange in REPEAT 1");
+    EXPECT_THAT(lower("ROW: R1=1\nREPEAT ROW"), HasSubstr("less(REPEAT 1, 1)"));
+    for (const char* passes : {"P=R2", "P=COUNT_-1"})
+        EXPECT_THAT(lower("DEF INT COUNT_\nROW: R1=1\nREPEATB ROW " + std::string(passes)),
+                    HasSubstr("if machine"));
+}
+
+TEST(SinumerikFlow, APartThatStandsElsewhereDoesWhatItsBlocksDo) {
+    EXPECT_EQ(lower("ROW: G18 R1=R2\nM8\nREPEATB ROW"),
+              "ROW: plane=2; R1 := R2\n\nplane=2; exchange out R2 out R1 in R1");
+    EXPECT_THAT(lower("REPEATB ROW\nM30\nROW: G18"),
+                HasSubstr("{jump ROW forward-then-backward}; plane=2\nend\nROW: plane=2"));
+    EXPECT_THAT(lower("ROW: OTHER\nM8\nREPEATB ROW"), HasSubstr("calls-or-returns"));
+    EXPECT_THAT(lower("ROW: M6\nG0\nREPEATB ROW"), HasSubstr("unreadable"));
+}
+
 TEST(SinumerikCalls, ANameThatNoTableKnowsIsAProgram) {
     EXPECT_EQ(lower("POCKET(1,,R5) P3"), "call call of a subprogram POCKET 1>0=1 R5>2=R5 times 3");
     EXPECT_EQ(lower("L0123"), "call call of a subprogram L0123");
@@ -85,8 +104,11 @@ TEST(SinumerikCalls, ANameThatNoTableKnowsIsAProgram) {
     EXPECT_EQ(lower("M30"), "end");
 }
 
-TEST(SinumerikCalls, WhatAMacroStandsForNobodyKnows) {
-    EXPECT_THAT(lower("DEFINE OIL AS G0 Z5\nOIL"), HasSubstr("call"));
+TEST(SinumerikCalls, AMacroStandsForItsWordsWhereItStandsAlone) {
+    EXPECT_EQ(lower("DEFINE OIL AS G0 Z5\nOIL"), "\nmotion mode=1; move");
+    EXPECT_EQ(lower("DEFINE OIL AS M7\nOIL"), "");
+    for (const char* program : {"DEFINE OIL AS G0 Z=R1\nOIL", "DEFINE OIL AS G0 Z5\nOIL X5"})
+        EXPECT_THAT(lower(program), HasSubstr("call")) << program;
     EXPECT_THAT(lower("M8"), Not(HasSubstr("call")));
 }
 

@@ -180,8 +180,68 @@ TEST_F(EngineTest, MacrosThatOnlySwitchLeaveThePlaneAndTheTool) {
     folder.write("A.MPF", "G17 G90 G54\nG0 X0 Y0\nCHIPS_AWAY\nG1 F500 X10\nG3 X10 Y20 CR=8\nM30\n");
     folder.write("SHOP.DEF", "DEFINE CHIPS_AWAY AS M27\nM17\n");
     EXPECT_THAT(places(engine.analyse(snapshot({"A.MPF"}))), ElementsAre("A.MPF:5 MAC522"));
-    folder.write("SHOP.DEF", "DEFINE CHIPS_AWAY AS G91 G1 X5\nM17\n");
-    EXPECT_THAT(places(engine.analyse(snapshot({"A.MPF"}))), IsEmpty());
+    for (const char* body :
+         {"TRANS X5", "G0 POCKET", "SUPA G1 X5"}) { // the last one: from where, nobody knows
+        folder.write("SHOP.DEF", "DEFINE CHIPS_AWAY AS " + std::string(body) + "\nM17\n");
+        EXPECT_THAT(places(engine.analyse(snapshot({"A.MPF"}))), IsEmpty()) << body;
+    }
+}
+
+TEST_F(EngineTest, MacrosOfFilesOfDefinitionsSetWhatTheirWordsSet) {
+    const auto with = [&](const std::string& body, const std::string& block) {
+        folder.write("A.MPF",
+                     "G17 G90 G54\nG0 X0 Y0\n" + block + "\nG0 X0 Y0\nG1 F500 X10\nG3 X10 Y20 CR=8\nM30\n");
+        folder.write("SHOP.DEF", "DEFINE PARK_HEAD AS " + body + "\nM17\n");
+        return places(engine.analyse(snapshot({"A.MPF"})));
+    };
+    for (const char* body : {"SUPA G0 Z0 D0", "M6", "G0", "G90 F200"})
+        EXPECT_THAT(with(body, "PARK_HEAD"), ElementsAre("A.MPF:6 MAC522")) << body;
+    EXPECT_THAT(with("G18", "PARK_HEAD"), ElementsAre("A.MPF:6 MAC558")); // it does not move in its plane
+    EXPECT_THAT(with("SUPA G0 Z0 D0", "PARK_HEAD X5"), IsEmpty());
+    EXPECT_THAT(with("WAITM(1)", "PARK_HEAD"), IsEmpty());
+    // Two files say different things.
+    folder.write("OTHER.DEF", "DEFINE PARK_HEAD AS G19\nM17\n");
+    EXPECT_THAT(with("G0", "PARK_HEAD"), IsEmpty());
+}
+
+TEST_F(EngineTest, MacrosComeBeforeProgramsOfTheirName) {
+    folder.write("A.MPF", "G0 X5\nCLEAN_UP\nG0 X9\nM30\n");
+    folder.write("CLEAN_UP.SPF", "G0 Z9\nM30\n");
+    EXPECT_THAT(places(engine.analyse(snapshot({"CLEAN_UP.SPF"}))), ElementsAre("CLEAN_UP.SPF:2 MAC457"));
+    folder.write("SHOP.DEF", "DEFINE CLEAN_UP AS M27\nM17\n");
+    EXPECT_THAT(places(engine.analyse(snapshot({"CLEAN_UP.SPF"}))), IsEmpty());
+}
+
+TEST_F(EngineTest, MainProgramsAreCalledFromTheirFolderAlone) {
+    folder.write(".maclint.json", R"({"complete": true})");
+    settings = cli::Settings({});
+    folder.write("mill/A.MPF", "G0 X5\nPLATE\nG0 X9\nM30\n");
+    folder.write("lathe/PLATE.MPF", "G0 Z9\nM30\n");
+    EXPECT_THAT(places(engine.analyse(snapshot({"PLATE.MPF"}))), IsEmpty());
+    folder.write("lathe/A.MPF", "G0 X5\nPLATE\nG0 X9\nM30\n");
+    EXPECT_THAT(places(engine.analyse(snapshot({"PLATE.MPF"}))), ElementsAre("lathe/PLATE.MPF:2 MAC457"));
+}
+
+TEST_F(EngineTest, ArraysOfFilesOfDefinitionsHaveBounds) {
+    folder.write("A.MPF",
+                 "DEF INT I_\nG0 X=SHOP_ROW[5]\nG0 X=SHOP_ROW[4]\nG0 X=SHOP_MAP[1,3]\nSHOP_ROW[-1]=2\n"
+                 "FOR I_=0 TO 5\nG0 X=SHOP_ROW[I_]\nENDFOR\nG0 X=SHOP_ROW[R1]\nM30\n");
+    const auto with = [&](const std::string& definitions) {
+        folder.write("SHOP.DEF", definitions + "M17\n");
+        return places(engine.analyse(snapshot({"A.MPF"})));
+    };
+    EXPECT_THAT(with("DEF CHAN REAL SHOP_ROW[5]\nDEF NCK REAL SHOP_MAP[2,3]\n"),
+                ElementsAre("A.MPF:2 SIN207", "A.MPF:4 SIN207", "A.MPF:5 SIN207", "A.MPF:7 SIN207"));
+    EXPECT_THAT(with("DEF CHAN REAL SHOP_ROW[9], SHOP_MAP[2,4]\n"), ElementsAre("A.MPF:5 SIN207"));
+    folder.write("OTHER.DEF", "DEF CHAN REAL SHOP_ROW[5]\nM17\n"); // of which machine nobody knows
+    EXPECT_THAT(with("DEF CHAN REAL SHOP_ROW[9], SHOP_MAP[2,4]\n"), IsEmpty());
+}
+
+TEST_F(EngineTest, ArraysOfFilesOfDefinitionsHaveATypeForParameters) {
+    folder.write("SHOP.DEF", "DEF CHAN INT SHOP_ROW[5]\nDEF CHAN REAL SHOP_WAY[5]\nM17\n");
+    folder.write("FILL.SPF", "PROC FILL(VAR REAL PLACES[])\nPLACES[0]=1\nM17\n");
+    folder.write("A.MPF", "FILL(SHOP_ROW)\nFILL(SHOP_WAY)\nM30\n");
+    EXPECT_THAT(places(engine.analyse(snapshot({"A.MPF"}))), ElementsAre("A.MPF:1 SIN404"));
 }
 
 TEST_F(EngineTest, AxesThatAreArgumentsTheMachineNames) {

@@ -256,8 +256,22 @@ TEST(SinumerikMachine, WantsACentreOfEachArc) {
     const std::string start = "G17 G90 G54\nG0 X0 Y0\nG1 X10 F100\n";
     EXPECT_THAT(findings("MAC522", start + "G2 X20 Y10\nM30\n"), SizeIs(1));
     for (const char* arc : {"G2 X20 Y10 CR=10", "G2 X20 Y10 J10", "G2 X20 Y10 AR=90", "G2 AP=90 RP=5", "G2",
-                            "CIP X20 Y10 I1=15 J1=2", "CT X20 Y10", "G2 X20 Y0 I=R1", "G2 X20 Y10 I=AC(10)"})
+                            "CIP X20 Y10 I1=15 J1=2", "CT X20 Y10", "G2 X20 Y0 I=R1", "G2 X20 Y10 I=AC(20)"})
         EXPECT_THAT(findings("MAC522", start + arc + "\nM30\n"), IsEmpty()) << arc;
+}
+
+TEST(SinumerikMachine, CountsCentresFromTheZeroWhereTheySaySo) {
+    const std::string start = "G17 G90 G54\nG0 X10 Y20\nG1 Z-2 F100\n";
+    const auto arcs = [&](const std::string& arc) { return findings("MAC522", start + arc + "\nM30\n"); };
+    EXPECT_THAT(arcs("G2 X30 Y20 I=AC(20) J=AC(20)"), IsEmpty());
+    EXPECT_THAT(arcs("G2 X30 Y20 I=AC(20) J0"), IsEmpty());
+    EXPECT_THAT(arcs("G2 X30 Y20 I=AC(15) J=AC(20)"), SizeIs(1));
+    EXPECT_THAT(arcs("G2 X30 Y20 I=AC(10) J=AC(20)"), SizeIs(1)); // its start
+    EXPECT_THAT(arcs("G2 X30 Y20 I=AC(-10) J=AC(20)"), SizeIs(1));
+    EXPECT_THAT(arcs("G2 X30 Y20 I=AC(R1) J=AC(20)"), IsEmpty());
+    // Nobody knows the start; lengths in X may be diameters.
+    EXPECT_THAT(arcs("X=R1\nG2 X30 Y20 I=AC(15) J=AC(20)"), IsEmpty());
+    EXPECT_THAT(arcs("G18 G0 X10 Z20\nG2 X30 Z20 I=AC(15) K=AC(20)"), IsEmpty());
 }
 
 TEST(SinumerikMachine, LosesItsPlaceWhereWordsDoNotSayIt) {
@@ -545,6 +559,56 @@ TEST(SinumerikNames, OfOtherAxesAndProgramsAreNoSlips) {
         EXPECT_THAT(findings("SIN203", std::string("G0 X0\n") + name + "\nM30\n"), SizeIs(1)) << name;
 }
 
+TEST(SinumerikSlips, OfCyclesAndOfNamesBesideWordsAreTold) {
+    const auto told = [](const std::string& block) {
+        return findings("SIN203", "G0 X0\n" + block + "\nM30\n");
+    };
+    for (const char* block :
+         {"CYCEL81(50,0,2,-20,)", "CYLCE83(50,0,2,-20,)", "CYCL82(50,0,2,-20,)", "MCALL CYCEL81(50,0,2,-20,)",
+          "MCAL CYCLE81(50,0,2,-20,)", "SUPPA G0 Z0", "G0 SUPPA Z0", "TRAN X5"})
+        EXPECT_THAT(told(block), SizeIs(1)) << block;
+    for (const char* block : {"CYCEL81", "CYCLE18(1)", "CYCLE212(1)", "CYCLE189(2)", "MCAL", "SUPPA",
+                              "TRAN P3", "MCALL POCKET(5)", "HOLE2(5)", "POCKET(1)"})
+        EXPECT_THAT(told(block), IsEmpty()) << block;
+    EXPECT_THAT(findings("SIN203", "%_N_A_MPF\nG0 X0\nCYCEL81(5)\nM30\n%_N_CYCEL81_SPF\nM17\n"), IsEmpty());
+}
+
+TEST(SinumerikFunctions, TakeTheirArguments) {
+    const auto told = [](const std::string& block) {
+        return findings("MAC729", "DEF REAL A_, B_\n" + block + "\nM30\n");
+    };
+    for (const char* block : {"R1=SIN(1,2)", "R1=ATAN2(R2)", "R1=POT(2,3)", "R1=SQRT()", "R1=MAXVAL(A_)",
+                              "R1=BOUND(1,2)", "R1=STRLEN(\"A\",\"B\")", "R1=ABS(A_,,B_)"})
+        EXPECT_THAT(told(block), SizeIs(1)) << block;
+    for (const char* block : {"R1=SIN(1)", "R1=ATAN2(R2,R3)", "R1=BOUND(1,2,3)", "R1=MAXVAL(A_,B_)",
+                              "R1=ATAN2(BOTH)", "R1=SUBSTR(\"ABC\",1)", "R1=NOBODY(1,2,3,4)"})
+        EXPECT_THAT(told(block), IsEmpty()) << block;
+}
+
+TEST(SinumerikFunctions, HaveNoResultForSomeNumbers) {
+    for (const char* value : {"LN(0)", "LN(-1)", "SQRT(-1)", "ASIN(1.5)", "ACOS(-2)", "LN(A_)"})
+        EXPECT_THAT(findings("MAC703", "DEF REAL A_=0\nR1=" + std::string(value) + "\nM30\n"), SizeIs(1))
+            << value;
+    for (const char* value : {"LN(1)", "SQRT(0)", "ASIN(1)", "LN(R2)", "SQRT(R2)"})
+        EXPECT_THAT(findings("MAC703", "R1=" + std::string(value) + "\nM30\n"), IsEmpty()) << value;
+    for (const char* value : {"5 DIV 0", "5 MOD 0", "R2 DIV (A_-2)", "5/0"})
+        EXPECT_THAT(findings("MAC702", "DEF INT A_=2\nR1=" + std::string(value) + "\nM30\n"), SizeIs(1))
+            << value;
+    for (const char* value : {"5 DIV 2", "0 MOD 5", "R2 DIV R3"})
+        EXPECT_THAT(findings("MAC702", "R1=" + std::string(value) + "\nM30\n"), IsEmpty()) << value;
+}
+
+TEST(SinumerikArrays, GiveBackWhatIsOfTheirType) {
+    const auto told = [](const std::string& type, const std::string& parameter) {
+        return findings("SIN404", "%_N_A_MPF\nDEF " + type +
+                                      " ROW_[4]\nFILL(ROW_)\nM30\n%_N_FILL_SPF\nPROC FILL(" + parameter +
+                                      ")\nPLACES[0]=1\nM17\n");
+    };
+    EXPECT_THAT(told("INT", "VAR REAL PLACES[]"), SizeIs(1));
+    EXPECT_THAT(told("REAL", "VAR REAL PLACES[]"), IsEmpty());
+    EXPECT_THAT(told("REAL", "VAR INT PLACES[4]"), SizeIs(1));
+}
+
 TEST(SinumerikAxes, MoveByPosEachOnce) {
     EXPECT_THAT(findings("MAC559", "POS[X]=10 POS[Y]=20 FA[X]=100\nM30\n"), IsEmpty());
 }
@@ -554,8 +618,27 @@ TEST(SinumerikMacros, LeaveModesWhereTheyOnlySwitch) {
         return findings("MAC502", "DEFINE MIST AS " + macro + "\nG54 G17\nTRAORI\nG1 X5 F1000\nMIST\nM30\n");
     };
     EXPECT_THAT(left("M7 H12"), SizeIs(1));
-    for (const char* macro : {"G40", "M6", "M17", "TRAFOOF", "M7 G0"})
+    for (const char* macro : {"G40", "M6", "G0", "M7 G0", "SUPA G0 Z0 D0", "F300 S1000 M3"})
+        EXPECT_THAT(left(macro), SizeIs(1)) << macro;
+    for (const char* macro : {"M17", "M30", "TRAFOOF", "Z=R1", "G0 POCKET", "TRANS X5", "G4 F1", "M19", "T1"})
         EXPECT_THAT(left(macro), IsEmpty()) << macro;
+}
+
+TEST(SinumerikMacros, SetWhatTheirWordsSet) {
+    const auto arcs = [](const std::string& macro, const std::string& blocks) {
+        return findings("MAC522", "DEFINE WORD_ AS " + macro + "\nG17 G90 G54\nG0 X0 Y0\nG1 F500 X10\n" +
+                                      blocks + "\nM30\n");
+    };
+    EXPECT_THAT(arcs("G91", "WORD_\nG3 X0 Y20 CR=8"), SizeIs(1));
+    EXPECT_THAT(arcs("G91", "WORD_\nG3 X10 Y5 CR=8"), IsEmpty());
+    EXPECT_THAT(arcs("G91", "G3 X10 Y20 CR=8"), SizeIs(1));
+    EXPECT_THAT(arcs("SUPA G0 Z0", "WORD_\nG1 X0 Y0\nG3 X0 Y20 CR=8"), SizeIs(1));
+    EXPECT_THAT(arcs("SUPA G0 X0", "WORD_\nG3 X10 Y20 CR=8"), IsEmpty()); // from nobody knows where
+    EXPECT_THAT(arcs("M6", "WORD_\nG1 X0 Y0\nG3 X0 Y20 CR=8"), SizeIs(1));
+    // Beside other words it may be any piece of the block.
+    EXPECT_THAT(arcs("G0 Z9", "WORD_ X5\nG1 X0 Y0\nG3 X0 Y20 CR=8"), IsEmpty());
+    EXPECT_THAT(findings("SIN502", "DEFINE TOOL_IN AS M6\nG17 G90\nG41 G1 X5 F100\nTOOL_IN\nG40 X0\nM30\n"),
+                SizeIs(1));
 }
 
 TEST(SinumerikMachines, BeginWithTheirCodes) {

@@ -3,6 +3,7 @@
 
 #include "analyzer/dataflow/domain/value.hpp"
 #include "analyzer/flow/graph.hpp"
+#include "analyzer/program/given.hpp"
 
 #include <functional>
 #include <memory>
@@ -85,7 +86,7 @@ struct Callee {
     const Summary& summary;                      ///< Summary{} of a program that is not known
     std::span<const PassedReference> references; ///< of a program that is known
     const Analysis* analysis = nullptr;          ///< of a program that is known
-    bool is_switch = false; ///< no program: a word that only switches something of the machine
+    const GivenWord* word = nullptr; ///< that is called, where it is no program, and what it does is known
 };
 using Callees = std::function<Callee(EffectId call)>;
 

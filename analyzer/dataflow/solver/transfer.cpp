@@ -395,13 +395,19 @@ void Transfer::run_unknown_program(State& state, bool shared_frame) {
     havoc_groups(state, std::nullopt);
 }
 
+void Transfer::run_word(State& state, const GivenWord& word) {
+    if (word.changes_tool && records<BeforeToolChange>())
+        facts_->add(BeforeToolChange{{node_, effect_, state}});
+    for (const auto& [group, code] : word.sets) set_code(state, group, code, here());
+}
+
 void Transfer::run_program(State& state, EffectId id, const Call& call) {
     const Callee callee = callees_(id);
     const Summary& summary = callee.summary;
     // What the control or its machine brings and no program replaces comes back, and changes nothing of the
     // program's.
     const bool is_brought =
-        !summary.known && (callee.is_switch || program_.control->calls[call.kind].brought_by_control);
+        !summary.known && (callee.word != nullptr || program_.control->calls[call.kind].brought_by_control);
     if (records<CallMade>() && !is_brought)
         facts_->add(CallMade{node_, id, summary.known, !summary.known || summary.may_stop});
     if (records<CallBegun>() && (summary.alarm_end.always || !summary.asked_at_calls.empty()))
@@ -412,6 +418,7 @@ void Transfer::run_program(State& state, EffectId id, const Call& call) {
         return;
     }
     if (!summary.known) {
+        if (callee.word != nullptr) return run_word(state, *callee.word);
         if (is_brought) return;
         clobber_passed(state, call);
         return run_unknown_program(state, shared_frame);

@@ -127,6 +127,7 @@ class Transfer {
     void write_group(State& state, ChannelGroup of, ModalValue value);
     void havoc_groups(State& state, std::optional<char> letter);
     void call(State& state, const Call& call);
+    void run_word(State& state, const GivenWord& word);
     void run_program(State& state, EffectId id, const Call& call);
     [[nodiscard]] KnownStart known_at(const State& state, const Call& call,
                                       std::span<const Variable> deciding);

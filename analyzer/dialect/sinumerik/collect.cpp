@@ -4,6 +4,7 @@
 #include "analyzer/dialect/ascii.hpp"
 #include "analyzer/dialect/characters.hpp"
 #include "analyzer/dialect/sinumerik/lexer.hpp"
+#include "analyzer/dialect/sinumerik/parts.hpp"
 #include "analyzer/dialect/sinumerik/plain.hpp"
 
 #include <algorithm>
@@ -164,6 +165,7 @@ void Programs::collect_names(OpenProgram& program) {
 void Programs::close() {
     for (OpenProgram& program : open_) {
         check_labels(program);
+        follow_parts(program);
         collect_names(program);
         file_.programs.push_back(program.builder.take());
     }

@@ -1,6 +1,8 @@
 //! The rows of the G groups, and the codes sorted by name.
 #include "analyzer/dialect/sinumerik/g_codes.hpp"
 
+#include "analyzer/dialect/ascii.hpp"
+#include "analyzer/dialect/characters.hpp"
 #include "analyzer/dialect/sinumerik/word_list.hpp"
 
 #include <algorithm>
@@ -158,5 +160,14 @@ const GCodeRow* find_member(int group, double member) {
 
 std::span<const GCodeRow> g_codes() { return tables().codes; }
 std::span<const GGroupRow> g_groups() { return tables().groups; }
+
+std::string code_name(std::string_view written) {
+    std::string name(1, to_capital(written.front()));
+    std::string_view digits = written.substr(1);
+    while (!digits.empty() && !is_digit(digits.front())) digits.remove_prefix(1);
+    while (digits.size() > 1 && digits.front() == '0' && is_digit(digits[1])) digits.remove_prefix(1);
+    if (digits.ends_with(".0") || digits.ends_with('.')) digits = digits.substr(0, digits.find('.'));
+    return name.append(digits);
+}
 
 } // namespace maclint::sinumerik

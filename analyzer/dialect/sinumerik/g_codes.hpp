@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <span>
+#include <string>
 #include <string_view>
 
 namespace maclint::sinumerik {
@@ -31,5 +32,8 @@ struct GGroupRow {
 [[nodiscard]] std::span<const GCodeRow> g_codes();
 /// By number, from 1 on without gaps.
 [[nodiscard]] std::span<const GGroupRow> g_groups();
+
+/// `G01` is G1: leading zeros are ignored [FUND04 p.61].
+[[nodiscard]] std::string code_name(std::string_view written);
 
 } // namespace maclint::sinumerik

@@ -27,8 +27,9 @@ std::string_view one_slip_from(std::span<const std::string_view> words, std::str
     return word == words.end() ? std::string_view{} : *word;
 }
 
-/// An exchange of neighbours, a letter lost or doubled.
-bool is_typing_slip(std::string_view written, std::string_view meant) {
+/// An exchange of neighbours, a letter lost or doubled. Where the name can be no program, it may be as short
+/// as SUPA and MCALL.
+bool is_typing_slip(std::string_view written, std::string_view meant, bool may_be_program = true) {
     constexpr std::size_t shortest = 4;
     if (meant.size() < shortest || written == meant) return false;
     const auto at = static_cast<std::size_t>(std::ranges::mismatch(written, meant).in1 - written.begin());
@@ -36,9 +37,9 @@ bool is_typing_slip(std::string_view written, std::string_view meant) {
     if (written.size() == meant.size())
         return rest.size() >= 2 && rest[0] == rest_meant[1] && rest[1] == rest_meant[0] &&
                rest.substr(2) == rest_meant.substr(2);
-    if (meant.size() == shortest) return false; // too many names are as near
+    if (meant.size() == shortest && may_be_program) return false; // too many names are as near
     // LIFT and ROTA are names of their own, no TLIFT and PROTA.
-    constexpr std::size_t shortest_with_a_loss = 6;
+    const std::size_t shortest_with_a_loss = may_be_program ? 6 : 5;
     if (written.size() + 1 == meant.size())
         return at > 0 && meant.size() >= shortest_with_a_loss && rest == rest_meant.substr(1);
     return written.size() == meant.size() + 1 && at > 0 && rest[0] == written[at - 1] &&
@@ -95,11 +96,26 @@ std::string_view declaration_meant_by(std::string_view capitals, std::string_vie
     return is_typing_slip(capitals, "EXTERN") ? "EXTERN" : "";
 }
 
-std::string_view command_meant_by(std::string_view capitals) {
+std::string_view command_meant_by(std::string_view capitals, bool may_be_program) {
     for (const WordRow& row : words())
-        if (is_command(row) && is_typing_slip(capitals, row.name)) return row.name;
+        if (is_command(row) && is_typing_slip(capitals, row.name, may_be_program)) return row.name;
     for (const GCodeRow& row : g_codes())
-        if (std::ranges::none_of(row.name, is_digit) && is_typing_slip(capitals, row.name)) return row.name;
+        if (std::ranges::none_of(row.name, is_digit) && is_typing_slip(capitals, row.name, may_be_program))
+            return row.name;
+    return {};
+}
+
+std::string_view cycle_meant_by(std::string_view capitals) {
+    const auto number_of = [](std::string_view name) {
+        return name.substr(std::min(name.find_first_of("0123456789"), name.size()));
+    };
+    // HOLE2 and POCKE3 may be programs of the shop.
+    const auto may_be_meant = [&](const WordRow& row) {
+        return row.kind == WordKind::cycle && number_of(row.name) == number_of(capitals) &&
+               (row.name.starts_with("CYCLE") || capitals.size() >= row.name.size());
+    };
+    for (const WordRow& row : words())
+        if (may_be_meant(row) && is_typing_slip(capitals, row.name)) return row.name;
     return {};
 }
 

@@ -26,7 +26,9 @@ inline constexpr std::string_view type_names[] = {"REAL", "INT", "BOOL", "CHAR",
 /// DEF, PROC or EXTERN, judged by the word behind it too; PROC only where nothing was done before.
 [[nodiscard]] std::string_view declaration_meant_by(std::string_view capitals, std::string_view behind,
                                                     bool at_the_begin);
-/// A procedure, a code of several letters, MCALL or CALL.
-[[nodiscard]] std::string_view command_meant_by(std::string_view capitals);
+/// A procedure, a code of several letters, MCALL or CALL. A name beside other words can be no program.
+[[nodiscard]] std::string_view command_meant_by(std::string_view capitals, bool may_be_program);
+/// A cycle of the same number: CYCEL81.
+[[nodiscard]] std::string_view cycle_meant_by(std::string_view capitals);
 
 } // namespace maclint::sinumerik

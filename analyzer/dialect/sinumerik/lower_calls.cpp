@@ -5,6 +5,7 @@
 #include "analyzer/dialect/sinumerik/cycles.hpp"
 #include "analyzer/dialect/sinumerik/keywords.hpp"
 #include "analyzer/dialect/sinumerik/lowering.hpp"
+#include "analyzer/dialect/sinumerik/macros.hpp"
 #include "analyzer/dialect/sinumerik/tables.hpp"
 #include "analyzer/dialect/sinumerik/words.hpp"
 #include "analyzer/program/whole_number.hpp"
@@ -20,27 +21,6 @@ VariableType kind_of_type(std::string_view name) {
     if (name == "REAL") return VariableType::number;
     if (name == "INT" || name == "CHAR") return VariableType::integer;
     return name == "BOOL" ? VariableType::truth : VariableType::text; // STRING, AXIS, FRAME: no numbers
-}
-
-/// Whether a macro holds M and H functions alone, and none that ends, stops, changes the tool or turns the
-/// spindle: `M9 M28`.
-bool only_switches(std::string_view capitals) {
-    constexpr std::string_view blanks = " \t";
-    constexpr double of_program[] = {0, 1, 2, 3, 4, 5, 6, 17, 19, 30, 70}; // M3 to M5, M19, M70: spindle [T]
-    bool any = false;
-    while (!capitals.empty()) {
-        const std::size_t end = std::min(capitals.find_first_of(blanks), capitals.size());
-        const std::string_view word = capitals.substr(0, end);
-        capitals.remove_prefix(std::min(end + 1, capitals.size()));
-        if (word.empty()) continue;
-        const bool has_digits = word.size() > 1 && std::all_of(word.begin() + 1, word.end(), is_digit);
-        if (!has_digits || (word[0] != 'M' && word[0] != 'H')) return false;
-        if (word[0] == 'M' &&
-            std::ranges::find(of_program, read_number(word.substr(1)).value) != std::end(of_program))
-            return false;
-        any = true;
-    }
-    return any;
 }
 
 /// A cycle leaves variables as they are, and all modes that it has no settings for. Others that are named so
@@ -147,9 +127,23 @@ void BlockLowering::lower_macro_definition(const Node& node) {
     open_->macros.insert(capitals);
     give_name(capitals);
     const Node* body = child(node, Field::body);
-    if (body == nullptr || !only_switches(in_capitals(text(*body)))) return;
-    open_->switches.insert(capitals);
-    if (open_->is_for_all) builder_->give_switch(capitals);
+    GivenWord word = read_macro(capitals, body == nullptr ? std::string_view{} : text(*body));
+    if (open_->is_for_all) builder_->give_word(word);
+    open_->words.insert_or_assign(capitals, std::move(word));
+}
+
+/// The name of a macro that nothing stands beside does what its words do; beside others it may be anything.
+bool BlockLowering::lower_macro(std::string_view capitals, Span here) {
+    const auto known = open_->words.find(capitals);
+    if (known == open_->words.end() || !known->second.is_known) return false;
+    const GivenWord& word = known->second;
+    if (word.only_switches()) return true;
+    if (std::ranges::count_if(items_, [](const Node* item) { return !is_head(kind_of(*item)); }) != 1)
+        return false;
+    if (word.changes_tool) effect({ToolChange{}, here});
+    for (const auto& [group, code] : word.sets) effect({SetModal{group, literal(code, here)}, here});
+    if (word.moves) effect({Motion{}, here});
+    return true;
 }
 
 void BlockLowering::give_name(std::string capitals) {
@@ -173,6 +167,7 @@ void BlockLowering::define_array(const Node& name, const Node& size, std::string
     });
     if (gap) array.sizes.emplace_back();
     give_name(upper_text(name));
+    builder_->add_array({upper_text(name), type, array.sizes});
     open_->arrays.insert_or_assign(upper_text(name), std::move(array));
 }
 
@@ -216,7 +211,7 @@ void BlockLowering::lower_named(const Node& name, const Node* arguments, const N
     const std::string capitals = upper_text(name);
     const Span here = span(whole);
     if (kind_of(name) == Kind::malformed_name) return; // told as it is met
-    if (open_->switches.contains(capitals)) return;
+    if (lower_macro(capitals, here)) return;
     if (open_->macros.contains(capitals)) return call_anything(here);
     if (arguments == nullptr && setting_of(capitals)) return lower_code(capitals, here);
     if (variable_named(capitals) != nullptr) return;
@@ -234,7 +229,7 @@ void BlockLowering::lower_named(const Node& name, const Node* arguments, const N
             (report_letter_o(capitals, here) || report_value_behind_address(capitals, here) ||
              report_slip(capitals, here)))
             return;
-        note_misspelt_word(capitals, here);
+        note_misspelt_word(capitals, span(name), arguments != nullptr);
         return call_program(span(name), arguments, calls::by_name, here);
     }
     switch (row->kind) {
@@ -334,7 +329,10 @@ void BlockLowering::lower_modal_call(const Node& node) {
         return effect({SetModal{modal_call_group(), literal(0, span(node))}, span(node)});
     const Node* name = kind_of(*program) == Kind::call ? child(*program, Field::name) : program;
     const Node* arguments = kind_of(*program) == Kind::call ? child(*program, Field::arguments) : nullptr;
-    if (name != nullptr) call_program(span(*name), arguments, calls::modal, span(node));
+    if (name == nullptr) return;
+    const std::string capitals = upper_text(*name);
+    if (find_word(capitals) == nullptr) note_misspelt_word(capitals, span(*name), arguments != nullptr);
+    call_program(span(*name), arguments, calls::modal, span(node));
 }
 
 /// CALL "NAME", PCALL /_N_WKS_DIR/…, ISOCALL, CALL BLOCK first TO last.
@@ -351,17 +349,7 @@ void BlockLowering::lower_other_call(const Node& node) {
     if (program != nullptr && kind_of(*program) != Kind::path && kind_of(*program) != Kind::program_number)
         evaluate(lower_expression(*program), span(node));
     for (const ExpressionId value : values_of(child(node, Field::arguments))) evaluate(value, span(node));
-    if (blocks) {
-        NamedInBlock may;
-        for (const Field field : {Field::first, Field::last})
-            if (const Node* label = child(node, field))
-                if (kind_of(*label) == Kind::name)
-                    may.labels.emplace_back(builder_->block_name(upper_text(*label)));
-        for (const auto& [name, variable] : open_->variables) may.variables.push_back(variable);
-        std::ranges::sort(may.variables, {}, [](Variable v) { return std::pair(v.space, v.number); });
-        may.may_call_or_return = true;
-        return builder_->add_unreadable(may, span(node));
-    }
+    if (blocks && program == nullptr) return repeat_part(node, false);
     call_anything(span(node));
 }
 

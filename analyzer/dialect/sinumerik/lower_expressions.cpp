@@ -22,7 +22,7 @@ struct OperationRow {
     Operation operation;
 };
 
-// What is not here has no row of semantics: DIV and MOD of reals, bits.
+// What is not here has no row of semantics: bits.
 // clang-format off
 constexpr OperationRow operators[] = {
     {"+", Operation::add},      {"-", Operation::subtract},   {"*", Operation::multiply}, {"/", Operation::divide},
@@ -237,6 +237,11 @@ ExpressionId BlockLowering::lower_binary(const Node& node) {
     const Node* sign = child(node, Field::operation);
     if (left == nullptr || right == nullptr || sign == nullptr) return unreadable(span(node));
     const std::array operands{lower_expression(*left), lower_expression(*right)};
+    // Of DIV and MOD no more is known than that they divide.
+    if (const std::string word = upper_text(*sign); word == "DIV" || word == "MOD") {
+        const std::array divided{apply(Operation::divide, operands, span(node))};
+        return apply(Operation::unknown, divided, span(node));
+    }
     const bool frames = kind_of(node) == Kind::frame_chain || kind_of(node) == Kind::concatenation;
     return apply(frames ? Operation::unknown : find(operators, upper_text(*sign)), operands, span(node));
 }
@@ -247,6 +252,7 @@ ExpressionId BlockLowering::lower_function(const Node& node) {
     if (name == nullptr || list == nullptr) return unreadable(span(node));
     const std::vector<ExpressionId> operands = values_of(list);
     const FunctionRow* row = find_function(upper_text(*name));
+    if (row != nullptr) check_arguments(*row, node, *list);
     if (row != nullptr && row->operation != Operation::unknown && operands.size() == row->least &&
         row->least == row->most)
         return apply(row->operation, operands, span(node));

@@ -163,30 +163,39 @@ void BlockLowering::restart_on_request(const Node& node) {
     lower_guarded_jump(nobody_knows(span(node)), node, span(node));
 }
 
-/// REPEAT of a part of the program: it may run again from its first label, and goes on here. Where the part
-/// stands elsewhere, what it does may be done here, too.
+/// REPEAT of a part of the program; what it does is written when all labels are known.
 void BlockLowering::lower_repetition(const Node& node) {
-    NamedInBlock may;
     for (const Field field : {Field::first, Field::last})
-        if (const Node* name = child(node, field)) {
-            const auto number =
-                kind_of(*name) == Kind::block_number ? read_integer(text(*name)) : std::nullopt;
-            if (number)
-                may.labels.emplace_back(*number);
-            else
-                may.labels.emplace_back(builder_->block_name(upper_text(*name)));
+        if (const Node* name = child(node, field))
             if (kind_of(*name) == Kind::name && !open_->macros.contains(upper_text(*name)))
                 open_->repeated.push_back({upper_text(*name), span(*name)});
-        }
-    // What the part sets is in force behind it.
-    effect({SetModal{std::nullopt, changing("", span(node))}, span(node)});
-    forget_frames(span(node));
+    repeat_part(node, in_capitals(text(node)).starts_with("REPEATB"));
+}
+
+void BlockLowering::repeat_part(const Node& node, bool is_one_block) {
+    for (const Node* item : items_) { // P=COUNT-1
+        const Node* left = kind_of(*item) == Kind::assignment ? child(*item, Field::left) : nullptr;
+        const Node* right = left == nullptr ? nullptr : child(*item, Field::right);
+        if (right == nullptr || upper_text(*left) != "P") continue;
+        passes_ = kind_of(*right) == Kind::number ? lower_expression(*right) : nobody_knows(span(*right));
+    }
     const auto passes = passes_ ? literal_value(*passes_) : std::nullopt;
     if (passes && *passes < 1) report(SyntaxErrorKind::passes_out_of_range, expression(*passes_).span, "1");
-    for (const auto& [name, variable] : open_->variables) may.variables.push_back(variable);
-    std::ranges::sort(may.variables, {}, [](Variable v) { return std::pair(v.space, v.number); });
-    may.may_call_or_return = true;
-    builder_->add_unreadable(may, span(node));
+    Repetition part{
+        static_cast<ItemId>(program_->items.size()), span(node), {}, {}, {}, is_one_block, false, passes_};
+    for (const Field field : {Field::first, Field::last}) {
+        const Node* name = child(node, field);
+        if (name == nullptr) continue;
+        const auto number = kind_of(*name) == Kind::block_number ? read_integer(text(*name)) : std::nullopt;
+        part.names_numbers |= kind_of(*name) != Kind::name || open_->macros.contains(upper_text(*name));
+        (field == Field::first ? part.first : part.last) = upper_text(*name);
+        if (number)
+            part.labels.emplace_back(*number);
+        else if (kind_of(*name) == Kind::name)
+            part.labels.emplace_back(builder_->block_name(upper_text(*name)));
+    }
+    open_->repetitions.push_back(std::move(part));
+    open_->writes_frames = true; // it may stand behind, where nothing is known yet
 }
 
 ExpressionId BlockLowering::nobody_knows(Span here) { return changing("", here); }

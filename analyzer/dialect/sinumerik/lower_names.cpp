@@ -160,6 +160,8 @@ void BlockLowering::check_index(const Node& node, std::span<const ExpressionId> 
         const Declaration* declared = variable == nullptr ? nullptr : program_->declaration_of(*variable);
         if (declared != nullptr && is_number_type(declared->type_name))
             report(SyntaxErrorKind::wrong_dimensions, span(node), "no index");
+        else if (variable == nullptr && kind_of(*name) == Kind::name && find_word(capitals) == nullptr)
+            builder_->add_foreign_element(capitals, indices, span(node));
         return;
     }
     const auto& sizes = array->second.sizes;
@@ -232,6 +234,25 @@ void BlockLowering::note_unknown(const Node& name, bool is_read) {
     Uses& uses = open_->unknown.try_emplace(capitals, Uses{.first = span(name)}).first->second;
     ++uses.count;
     uses.is_read |= is_read;
+}
+
+/// How many arguments a function takes. A name that the program does not define may be a macro, and hold
+/// several.
+void BlockLowering::check_arguments(const FunctionRow& function, const Node& call, const Node& list) {
+    std::size_t places = 1, values = 0;
+    bool may_be_more = false;
+    for_each_below(list, [&](const Node& part) {
+        if (!part.named && text(part) == ",") ++places;
+        if (!part.named || is_remark(part)) return;
+        ++values;
+        may_be_more |= kind_of(part) == Kind::name && variable_named(upper_text(part)) == nullptr;
+    });
+    const bool are_too_few = places < function.least || values == 0;
+    if (places <= function.most && (may_be_more || !are_too_few)) return;
+    std::string cure = count_of(function.least, "argument", "arguments");
+    if (function.least != function.most)
+        cure = std::to_string(function.least) + " or " + count_of(function.most, "argument", "arguments");
+    report(SyntaxErrorKind::argument_count, span(call), std::move(cure));
 }
 
 // ---- types

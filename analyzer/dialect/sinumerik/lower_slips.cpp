@@ -95,9 +95,14 @@ bool BlockLowering::report_slip(std::string_view capitals, Span here) {
 }
 
 /// `TRNAS X40`, `STOPPRE`: a program of the shop may have the name, so that the rule looks for it.
-void BlockLowering::note_misspelt_word(std::string_view capitals, Span here) {
-    if (const std::string_view meant = command_meant_by(capitals); !meant.empty())
-        builder_->add_unknown_name({std::string(capitals), here, std::string(meant), false});
+void BlockLowering::note_misspelt_word(std::string_view capitals, Span here, bool has_arguments) {
+    const auto is_count = [this](const Node* item) { // NAME P3: how often
+        return kind_of(*item) == Kind::literal_word && to_capital(text(*item).front()) == 'P';
+    };
+    const auto counts = static_cast<std::size_t>(std::ranges::count_if(items_, is_count));
+    std::string_view meant = command_meant_by(capitals, words_in_block() - counts == 1);
+    if (meant.empty() && has_arguments) meant = cycle_meant_by(capitals);
+    if (!meant.empty()) builder_->add_unknown_name({std::string(capitals), here, std::string(meant), false});
 }
 
 /// `DFE INT COUNT`, `PORC SLOT(REAL DEPTH)`: the block declares something, and nobody knows what.

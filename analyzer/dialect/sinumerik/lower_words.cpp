@@ -2,6 +2,7 @@
 #include "analyzer/dialect/ascii.hpp"
 #include "analyzer/dialect/characters.hpp"
 #include "analyzer/dialect/numbers.hpp"
+#include "analyzer/dialect/sinumerik/g_codes.hpp"
 #include "analyzer/dialect/sinumerik/lowering.hpp"
 #include "analyzer/dialect/sinumerik/tables.hpp"
 #include "analyzer/dialect/sinumerik/words.hpp"
@@ -27,16 +28,6 @@ std::string_view lasting(std::string_view capitals) {
     return row == nullptr ? std::string_view{} : row->name;
 }
 
-/// `G01` is G1: leading zeros are ignored [FUND04 p.61].
-std::string code_name(std::string_view written) {
-    std::string name(1, to_capital(written.front()));
-    std::string_view digits = written.substr(1);
-    while (!digits.empty() && !is_digit(digits.front())) digits.remove_prefix(1);
-    while (digits.size() > 1 && digits.front() == '0' && is_digit(digits[1])) digits.remove_prefix(1);
-    if (digits.ends_with(".0") || digits.ends_with('.')) digits = digits.substr(0, digits.find('.'));
-    return name.append(digits);
-}
-
 } // namespace
 
 void BlockLowering::evaluate(ExpressionId value, Span here) {
@@ -54,6 +45,23 @@ void BlockLowering::evaluate_axes(const Node& index, Span here) {
 void BlockLowering::add_word(std::string_view address, std::optional<ExpressionId> value, Span here) {
     const std::string_view name = lasting(address);
     if (!name.empty()) builder_->add_word({name, written_value(value), false, here});
+}
+
+/// `I=AC(20)`: the centre of an arc from the program's zero; without AC it counts from the start of the arc.
+bool BlockLowering::add_absolute_centre(std::string_view address, const Node& target, Span here) {
+    constexpr std::string_view centres = "IJK";
+    const Node* given = parent_of(target);
+    const Node* value = given == nullptr ? nullptr : child(*given, Field::right);
+    if (centres.find(address.front()) == std::string_view::npos || value == nullptr ||
+        kind_of(*value) != Kind::function_call)
+        return false;
+    const Node* function = child(*value, Field::function);
+    const Node* list = child(*value, Field::arguments);
+    const Node* place = list == nullptr ? nullptr : only_child(*list);
+    if (function == nullptr || upper_text(*function) != "AC" || place == nullptr) return false;
+    const auto number = literal_value(lower_expression(*place));
+    if (number) builder_->add_word({lasting(address), Literal{*number, true}, false, here, true});
+    return number.has_value();
 }
 
 /// Axes move where no code takes their words for something else.
@@ -161,7 +169,7 @@ void BlockLowering::store(const Node& target, ExpressionId value, Span whole) {
         }
         evaluate(value, whole);
         if (kind_of(target) == Kind::address) {
-            add_word(address, value, whole);
+            if (!add_absolute_centre(address, target, whole)) add_word(address, value, whole);
             set_value(address.front(), value, whole);
             const bool axis = axes.find(address.front()) != std::string_view::npos;
             moves_ |= axis;

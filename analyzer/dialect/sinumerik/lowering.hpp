@@ -1,6 +1,7 @@
 //! Turns the parse tree of one block into the program model.
 #pragma once
 
+#include "analyzer/dialect/sinumerik/functions.hpp"
 #include "analyzer/dialect/sinumerik/kinds.hpp"
 #include "analyzer/dialect/sinumerik/open_program.hpp"
 #include "analyzer/dialect/tree_lowering.hpp"
@@ -72,6 +73,7 @@ class BlockLowering : private TreeLowering {
     void lower_guarded_jump(ExpressionId condition, const Node& jump, Span whole);
     void restart_on_request(const Node& node);
     void lower_repetition(const Node& node);
+    void repeat_part(const Node& node, bool is_one_block);
     [[nodiscard]] ExpressionId jump_target(const Node& node);
     [[nodiscard]] ExpressionId label_named(std::string_view name, Span here);
     [[nodiscard]] ExpressionId nobody_knows(Span here);
@@ -85,6 +87,7 @@ class BlockLowering : private TreeLowering {
     void lower_declarator(const Node& node, const Node& type);
     void lower_external(const Node& node);
     void lower_macro_definition(const Node& node);
+    bool lower_macro(std::string_view capitals, Span here);
     void give_name(std::string capitals);
     void define_array(const Node& name, const Node& size, std::string_view type);
     void forget_settings_of(std::string_view cycle, Span here);
@@ -103,7 +106,7 @@ class BlockLowering : private TreeLowering {
     bool report_letter_o(std::string_view capitals, Span here);
     bool report_value_behind_address(std::string_view capitals, Span here);
     bool report_slip(std::string_view capitals, Span here);
-    void note_misspelt_word(std::string_view capitals, Span here);
+    void note_misspelt_word(std::string_view capitals, Span here, bool has_arguments);
     bool lower_misspelt_declaration(std::span<const Node* const> items);
     void pass_over_names(Span block, bool of_the_program);
     [[nodiscard]] std::size_t words_in_block() const;
@@ -122,6 +125,7 @@ class BlockLowering : private TreeLowering {
     void evaluate(ExpressionId value, Span here);
     void evaluate_axes(const Node& index, Span here);
     void add_word(std::string_view address, std::optional<ExpressionId> value, Span here);
+    bool add_absolute_centre(std::string_view address, const Node& target, Span here);
     void add_motion();
 
     // ---- expressions (lower_expressions.cpp)
@@ -158,6 +162,7 @@ class BlockLowering : private TreeLowering {
     void check_alone(std::span<const Node* const> items, const Block& head);
     void check_length(std::span<const Node* const> items);
     void check_functions(std::span<const Node* const> items);
+    void check_arguments(const FunctionRow& function, const Node& call, const Node& list);
     void check_alarm_number(const Node& arguments);
     void report_expected(Span here, std::string_view expected);
     void report_with(SyntaxErrorKind kind, Span here, std::string cure, Remedy remedy);

@@ -39,6 +39,17 @@ struct Uses {
     bool is_read = false; ///< what is only written to may be an axis, whose name the machine's maker gives
 };
 
+/// REPEAT, REPEATB or CALL BLOCK with labels.
+struct Repetition {
+    ItemId block;
+    Span here;
+    std::string first, last; ///< labels in capitals; without the last it ends in front of REPEAT
+    std::vector<Label> labels;
+    bool is_one_block;
+    bool names_numbers; ///< of blocks
+    std::optional<ExpressionId> passes;
+};
+
 struct OpenProgram {
     ProgramBuilder builder;
 
@@ -47,8 +58,9 @@ struct OpenProgram {
     Arrays arrays = {};
     /// How many characters the variables of texts hold.
     std::unordered_map<std::string, std::size_t, TextHash, std::equal_to<>> text_lengths = {};
-    TextSet macros = {};   ///< that DEFINE declares: each stands for any piece of a block
-    TextSet switches = {}; ///< of these, those that only switch something of the machine
+    TextSet macros = {}; ///< that DEFINE declares: each stands for any piece of a block
+    /// What these stand for.
+    std::unordered_map<std::string, GivenWord, TextHash, std::equal_to<>> words = {};
     /// The counters of the open FORs; nothing where the loop counts in no single variable.
     std::vector<std::optional<Variable>> counters = {};
     /// What PROC … SAVE keeps for the caller: groups, and where their codes are kept.
@@ -68,8 +80,9 @@ struct OpenProgram {
                                                                                    ///< does not define
     TextSet unread = {};                   ///< names in blocks that cannot be read: they may define them
     std::vector<NamedPlace> repeated = {}; ///< parts of the program that REPEAT names
-    bool writes_frames = false;            ///< some block so far has
-    bool transforms = false;               ///< likewise
+    std::vector<Repetition> repetitions = {};
+    bool writes_frames = false; ///< some block so far has
+    bool transforms = false;    ///< likewise
     /// From G291 to G290 the blocks are of another language [T].
     bool foreign_language = false;
 };

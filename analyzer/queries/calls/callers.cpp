@@ -39,6 +39,8 @@ const ProgramAnalysis* called_program(const ProgramAnalysis& analysis, const Cal
 }
 
 bool call_may_change(const ProgramAnalysis& analysis, EffectId call, GroupId group) {
+    if (const GivenWord* word = analysis.word_at(call))
+        return std::ranges::find(word->sets, group, &std::pair<GroupId, double>::first) != word->sets.end();
     const CallSite* site = analysis.call_at(call);
     const ProgramAnalysis* callee = site == nullptr ? nullptr : called_program(analysis, *site);
     return callee == nullptr ||
@@ -63,13 +65,18 @@ bool opens_locals(const ProgramAnalysis& analysis, const Caller& caller) {
     return calling.control().calls[call_of(calling.program(), caller.effect).kind].frame == Frame::fresh;
 }
 
+bool is_of_one_control(const ProgramAnalysis& analysis, const Caller& caller) {
+    const std::string_view own = folder_of(analysis), its = folder_of(calling_program(analysis, caller));
+    const bool is_for_calls = analysis.program().started != Program::Started::by_hand;
+    return (analysis.complete() && is_for_calls) || own.starts_with(its) || its.starts_with(own);
+}
+
 const Caller* find_reached_caller(const ProgramAnalysis& analysis) {
     return find_caller(analysis, [&](const Caller& caller) {
         const ProgramAnalysis& calling = calling_program(analysis, caller);
         const auto node = calling.graph().node_of(caller.effect);
-        const bool one_control = analysis.complete() || folder_of(analysis).starts_with(folder_of(calling)) ||
-                                 folder_of(calling).starts_with(folder_of(analysis));
-        return caller.program != analysis.index() && one_control && node && calling.data().reached(*node);
+        return caller.program != analysis.index() && is_of_one_control(analysis, caller) && node &&
+               calling.data().reached(*node);
     });
 }
 

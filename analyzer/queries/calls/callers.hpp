@@ -39,9 +39,11 @@ struct KnownCallers {
 /// Whether the call gives the program a set of local variables of its own.
 [[nodiscard]] bool opens_locals(const ProgramAnalysis& analysis, const Caller& caller);
 
-/// The first call from another program that is reached, and that belongs to the same control; nullptr when
-/// there is none. Programs of a folder beside this one may be another machine's, unless all programs are
-/// known.
+/// Whether the caller belongs to the same control. Programs of a folder beside this one may be another
+/// machine's, unless all programs are known and this one is there to be called.
+[[nodiscard]] bool is_of_one_control(const ProgramAnalysis& analysis, const Caller& caller);
+
+/// The first call from another program of the same control that is reached; nullptr when there is none.
 [[nodiscard]] const Caller* find_reached_caller(const ProgramAnalysis& analysis);
 
 /// The first known call that does not pass a value for the variable, and of which `also` says so where it is

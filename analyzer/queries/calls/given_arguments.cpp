@@ -1,6 +1,7 @@
 //! Looks arguments up in their list.
 #include "analyzer/queries/calls/given_arguments.hpp"
 
+#include "analyzer/dialect/ascii.hpp"
 #include "analyzer/queries/calls/callers.hpp"
 
 #include <algorithm>
@@ -23,6 +24,13 @@ std::string_view type_given(const Program& program, const Argument& argument) {
     const auto* load = std::get_if<Load>(&node);
     const Declaration* declared = load == nullptr ? nullptr : program.declaration_of(load->variable);
     return declared == nullptr ? std::string_view{} : declared->type_name;
+}
+
+const ArrayDefinition* array_given(const ProgramAnalysis& analysis, const Argument& argument) {
+    const std::string name = in_capitals(argument.address);
+    const auto& arrays = analysis.program().arrays;
+    const auto own = std::ranges::find(arrays, name, &ArrayDefinition::name);
+    return own == arrays.end() ? analysis.names_elsewhere().array(name) : &*own;
 }
 
 void for_each_known_call(

@@ -16,6 +16,9 @@ namespace maclint::queries {
 /// is. Empty where nobody knows.
 [[nodiscard]] std::string_view type_given(const Program& program, const Argument& argument);
 
+/// The array that the argument names, of the program or of a file of definitions; nullptr: it names none.
+[[nodiscard]] const ArrayDefinition* array_given(const ProgramAnalysis& analysis, const Argument& argument);
+
 /// Each call by name of a program that is known, with that program.
 void for_each_known_call(
     const ProgramAnalysis& analysis,

@@ -69,8 +69,8 @@ class Ends {
         const ProgramAnalysis* callee = site == nullptr ? nullptr : called_program(caller_, *site);
         if (callee == nullptr) {
             const auto& call = std::get<Call>(effect.what);
-            const bool leaves_all =
-                caller_.control().calls[call.kind].brought_by_control || caller_.is_switch(id);
+            const bool leaves_all = caller_.control().calls[call.kind].brought_by_control ||
+                                    !call_may_change(caller_, id, group_);
             return leaves_all ? Said::nothing : Said::otherwise;
         }
         if (!call_may_change(caller_, id, group_)) return Said::nothing;

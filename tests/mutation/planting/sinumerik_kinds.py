@@ -35,6 +35,7 @@ ROWS = [
     ]),
     ('text', 'warning', [
         ('sin-command', f'{READ} SIN203', 'a command is misspelt: TRNAS, STOPPRE'),
+        ('sin-cycle-misspelt', 'SIN203', 'a cycle is misspelt: CYCEL81'),
         ('sin-logic-open', 'SIN121 MAC728', 'the brackets of two comparisons joined by AND or OR are gone'),
     ]),
     ('names', 'error', [
@@ -126,7 +127,8 @@ ROWS = [
         ('sin-radius-closed', 'MAC558 MAC522', 'an arc by CR ends where it began'),
         ('sin-radius-short', 'MAC522', 'CR is shorter than half of the chord'),
         ('sin-centre-beside', 'MAC522', 'the centre of an arc is not as far from its end as from its start'),
-        ('sin-division-by-zero', 'MAC702', 'a division by 0'),
+        ('sin-division-by-zero', 'MAC702', 'a division by 0, also by DIV and MOD'),
+        ('sin-function-arguments', 'MAC729', 'a function gets an argument too many, or ATAN2 one too few'),
         ('sin-cycle-depth', 'SIN412', 'the depth of a cycle lies above the plane where it begins'),
     ]),
     ('words', 'warning', [
@@ -144,10 +146,5 @@ BARS = {
     'sin-undefined': 0.96,
     'sin-variable-misspelt': 0.96,
     'sin-endless-jump': 1 / 3,
-    'sin-reference-type': 15 / 16,
-    'sin-compensation-left': 8 / 10,
-    'sin-frame-left': 9 / 11,
     'sin-rounding-left': 1 / 2,
-    'sin-radius-closed': 12 / 14,
-    'sin-radius-short': 12 / 14,
 }

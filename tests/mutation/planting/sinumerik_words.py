@@ -13,6 +13,7 @@ def plants(program):
         yield from divisions(block)
         yield from positions(block)
         yield from numbers(block)
+        yield from functions(block)
     yield from arcs(program)
 
 
@@ -26,7 +27,7 @@ def twice(block):
 def divisions(block):
     if block.definition or block.action:
         return
-    for divisor in block.each(r'/\s*(\d+\.?\d*)(?![\w.])'):
+    for divisor in block.each(r'(?:/|\bDIV\b|\bMOD\b)\s*(\d+\.?\d*)(?![\w.])'):
         yield 'sin-division-by-zero', cut(block, divisor, 1, '0'), ''
         break
 
@@ -39,6 +40,19 @@ def numbers(block):
     alarm = block.find(r'(?<!\w)SETAL\((6)\d{4}\b')
     if alarm:
         yield 'sin-alarm-number', cut(block, alarm, 1), ''
+
+
+def functions(block):
+    """SQRT(R1) with an argument more, ATAN2(R1,R2) with one less; CYCEL81 for CYCLE81."""
+    one = block.find(r'(?<![\w$])(?:SQRT|SIN|COS|TAN|ABS|TRUNC|ROUND|POT)\([^(),"]+()\)')
+    if one:
+        yield 'sin-function-arguments', cut(block, one, 1, ',2'), ''
+    two = block.find(r'(?<![\w$])ATAN2\([\w.]+(,[\w.]+)\)')
+    if two:
+        yield 'sin-function-arguments', cut(block, two, 1), ''
+    cycle = block.find(r'(?<![\w$])CYC(LE)\d+\(')
+    if cycle:
+        yield 'sin-cycle-misspelt', cut(block, cycle, 1, 'EL'), ''
 
 
 def positions(block):

@@ -1,11 +1,12 @@
-//! DIN335: a function with too few or too many arguments.
+//! MAC729: a function with too few or too many arguments.
 #include "rules/rule.hpp"
 
 namespace maclint::rules {
 
 extern const Rule function_arguments{
-    .code = "DIN335",
+    .code = "MAC729",
     .name = "function-arguments",
+    .aliases = "DIN335",
     .summary = "A function has another number of arguments than it takes",
     .why = "The control cannot calculate the function and stops in the block.",
     .severity = Severity::error,
@@ -17,6 +18,11 @@ N10 #l1=SQRTA(3)
 N11 G0 X#l1 Z2
 N99 M30
 END
+)nc"},
+            {"sinumerik", R"nc(
+R1=ATAN2(R2)
+G0 X=SIN(30,R3)
+M30
 )nc"}},
     .good = {{"dinplus", R"nc(
 MACHINING
@@ -24,8 +30,13 @@ N10 #l1=SQRTA(3,4)
 N11 G0 X#l1 Z2
 N99 M30
 END
+)nc"},
+             {"sinumerik", R"nc(
+R1=ATAN2(R2,R3)
+G0 X=SIN(30)
+M30
 )nc"}},
-    .sources = {"SEED-003:18895-18918", "SEED-003:19568", "SEED-003:19615"},
+    .sources = {"HLS", "SEED-003:18895-18918", "SEED-003:19568", "SEED-003:19615"},
     .check = SyntaxErrorKind::argument_count,
 };
 
