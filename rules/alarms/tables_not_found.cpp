@@ -63,7 +63,6 @@ std::span<const NotFound> not_found() {
         {of_sinumerik, "12620", memory_alone},
         {of_sinumerik, "14001", memory_alone},
         {of_sinumerik, "14009", memory_alone},
-        {of_sinumerik, "14020", memory_alone},
         {of_sinumerik, "14048", memory_alone},
         {of_sinumerik, "14050", memory_alone},
         {of_sinumerik, "14270", memory_alone},

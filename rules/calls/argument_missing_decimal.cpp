@@ -70,18 +70,28 @@ bool has_point(const Word& word) {
     return literal != nullptr && literal->decimal_point;
 }
 
-/// The word of the program that moves an axis to the variable's value as it is, of a letter of that kind.
+/// Whether the value of the word is the variable that is read there, or the same with its sign turned.
+bool is_all_of(const Program& program, const Word& word, ExpressionId read) {
+    const auto* id = std::get_if<ExpressionId>(&word.value);
+    const auto* apply = id == nullptr ? nullptr : std::get_if<Apply>(&program.expressions[*id].node);
+    const bool negated = apply != nullptr && apply->operation == Operation::negate;
+    return id != nullptr && (negated ? program.operands_of(*apply).front() : *id) == read;
+}
+
+/// The word of the program that moves an axis to the variable's value, of a letter of that kind.
 const Word* word_that_moves(const ProgramAnalysis& called, Variable variable, std::string_view lengths) {
     const Program& program = called.program();
     for (const dataflow::Read& read : called.facts().all<dataflow::Read>()) {
         if (!Budget::allows()) return nullptr;
-        if (read.variable != variable || read.use != dataflow::Use::word) continue;
+        if (read.variable != variable) continue;
         const Offset at = program.expressions[read.expression].span.begin;
         const auto after =
             std::ranges::upper_bound(program.words, at, {}, [](const Word& word) { return word.span.begin; });
         if (after == program.words.begin()) continue;
         const Word& word = *(after - 1);
-        if (word.span.contains(at) && lengths.find(word.address) != std::string_view::npos) return &word;
+        if (is_all_of(program, word, read.expression) &&
+            lengths.find(word.address) != std::string_view::npos)
+            return &word;
     }
     return nullptr;
 }

@@ -27,9 +27,9 @@ extern const Rule crossed_loops{
     .bad = {{"fanuc", R"nc(
 O9316(GRID)
 #100=0
-#101=0
 WHILE[#100LT5]DO1
 #100=#100+1
+#101=0
 WHILE[#101LT5]DO2
 #101=#101+1
 END1
@@ -39,9 +39,9 @@ M30
     .good = {{"fanuc", R"nc(
 O9316(GRID)
 #100=0
-#101=0
 WHILE[#100LT5]DO1
 #100=#100+1
+#101=0
 WHILE[#101LT5]DO2
 #101=#101+1
 END2

@@ -4,6 +4,7 @@
 #include "analyzer/program/tables.hpp"
 #include "analyzer/queries/loops/loop_counter.hpp"
 #include "analyzer/queries/loops/loop_exits.hpp"
+#include "analyzer/queries/loops/set_again.hpp"
 #include "rules/listed.hpp"
 #include "rules/path.hpp"
 
@@ -31,6 +32,11 @@ std::optional<EndlessLoopWords> endless_loop_words(const ProgramAnalysis& analys
     const Program& program = analysis.program();
     const auto deciders = queries::unchanging_deciders(analysis, loop);
     if (!deciders) {
+        if (const auto again = queries::set_again(analysis, loop))
+            return EndlessLoopWords{"set-again",
+                                    {quoted(program, program.expressions[again->condition].span),
+                                     quoted(program, program.effects[again->store].span)},
+                                    "and it is as before"};
         const auto condition = queries::condition_never_met(analysis, loop);
         const auto counter = queries::counter_of(analysis, loop);
         if (!condition || (counter && counter->clamps.empty())) return std::nullopt;

@@ -20,7 +20,9 @@ extern const Rule equal_branches{
     .messages = {{"same",
                   "Condition without effect: the blocks from line {1} on, for '{0}', and those from line {2} "
                   "on, for any other case, do the same.",
-                  "Change the branch that was meant to differ, or remove the condition."}},
+                  "Change the branch that was meant to differ, or remove the condition."},
+                 {"next-block", "Condition without effect: for '{0}' the jump leads to the block behind it.",
+                  "Correct the number of the jump, or remove the condition."}},
     .bad = {{"fanuc", R"nc(
 O9337(SIDE, K SIDE X WAY)
 IF[#6EQ1]GOTO4
@@ -73,6 +75,10 @@ void check(const ProgramAnalysis& analysis, Reporter& reporter) {
     const Program& program = analysis.program();
     for (const EqualBranches& equal : find_equal_branches(analysis)) {
         const Span span = program.expressions[equal.condition].span;
+        if (equal.if_true.empty()) {
+            reporter.report({analysis, equal.effect}, span, "next-block", {quoted(program, span)});
+            continue;
+        }
         Finding& finding =
             reporter.report({analysis, equal.effect}, span, "same",
                             {quoted(program, span), line_number(analysis.file(), equal.if_true.begin),

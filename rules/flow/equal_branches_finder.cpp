@@ -44,8 +44,12 @@ class EqualBranchesIn {
         const flow::Edge& two = graph_.edges[out[1]];
         if (!one.condition || one.condition != two.condition) return std::nullopt;
         const auto if_true = follow(one.holds ? one : two);
-        if (!if_true || !if_true->acts) return std::nullopt; // as behind most jumps
-        const auto if_false = follow(one.holds ? two : one);
+        if (!if_true) return std::nullopt;
+        const flow::Edge& other = one.holds ? two : one;
+        const bool to_next = if_true->ends_at == other.to && if_true->text.empty() &&
+                             is_mistaken_jump(*effect, node, other.to);
+        if (!if_true->acts && !to_next) return std::nullopt; // as behind most jumps
+        const auto if_false = follow(other);
         if (!if_false || if_true->text != if_false->text || if_true->ends_at != if_false->ends_at)
             return std::nullopt;
         return EqualBranches{*effect, *one.condition, if_true->span, if_false->span};
@@ -62,6 +66,37 @@ class EqualBranchesIn {
         const bool decides =
             mark != nullptr ? mark->region_kind == RegionKind::choice : std::holds_alternative<Guarded>(what);
         return decides ? std::optional(last) : std::nullopt;
+    }
+
+    /// Whether it jumps to the only block of that number or name.
+    [[nodiscard]] bool jumps(EffectId effect) const {
+        const auto* guarded = std::get_if<Guarded>(&program_.effects[effect].what);
+        const auto* jump = guarded == nullptr || guarded->effects.count != 1
+                               ? nullptr
+                               : std::get_if<Jump>(&program_.effects[guarded->effects.first].what);
+        const auto label = jump == nullptr ? std::nullopt : flow::constant_target(program_, jump->target);
+        return label && graph_.with_label(*label).size() == 1;
+    }
+
+    /// What stands on the left of a comparison.
+    [[nodiscard]] std::string subject_of(ExpressionId condition) const {
+        const auto* apply = std::get_if<Apply>(&program_.expressions[condition].node);
+        const ExpressionId left = apply == nullptr ? condition : program_.operands_of(*apply).front();
+        return without_blanks(program_.slice(program_.expressions[left].span));
+    }
+
+    /// Of a jump to the block behind it: nothing else leads there, no table of jumps ends here, and no remark
+    /// stands between that keeps the place for something.
+    [[nodiscard]] bool is_mistaken_jump(EffectId effect, flow::NodeId node, flow::NodeId next) const {
+        const auto before = graph_.in[node];
+        const auto asked = graph_.edges[graph_.out[node].front()].condition;
+        const bool ends_table = std::ranges::any_of(before, [&](flow::EdgeId id) {
+            const auto& condition = graph_.edges[id].condition;
+            return condition && asked && subject_of(*condition) == subject_of(*asked);
+        });
+        const Span between{graph_.nodes[node].part.end, graph_.nodes[next].part.begin};
+        return jumps(effect) && !ends_table && graph_.in[next].size() == 2 &&
+               program_.slice(between).find_first_not_of(" \t\r\n;") == std::string_view::npos;
     }
 
     /// Nothing where the side decides in turn, or does not end.

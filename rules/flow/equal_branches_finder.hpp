@@ -11,7 +11,8 @@ namespace maclint::rules {
 struct EqualBranches {
     EffectId effect; ///< Guarded, or the RegionMark of a choice
     ExpressionId condition;
-    /// What both sides do, the side first for which the condition is true; no bytes where both go on at once.
+    /// What both sides do, the side first for which the condition is true; no bytes where both go on at
+    /// once, as where a jump leads to the block behind it.
     Span if_true, if_false;
 };
 

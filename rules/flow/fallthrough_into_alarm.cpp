@@ -1,9 +1,12 @@
 //! MAC461: a program that runs into its own alarm.
 #include "analyzer/dataflow/solver/alarm_end.hpp"
 #include "analyzer/queries/calls/callers.hpp"
+#include "analyzer/queries/machine/changing_values.hpp"
 #include "rules/path.hpp"
 #include "rules/rule.hpp"
 #include "rules/trace.hpp"
+
+#include <algorithm>
 
 namespace maclint::rules {
 
@@ -46,8 +49,18 @@ N99#3000=101(A MISSING)
 
 namespace {
 
+/// Whether it asks for signals or positions: such a program is called to check them, and not to show the
+/// alarm of a number that it is given.
+bool asks_the_machine(const ProgramAnalysis& analysis) {
+    return std::ranges::any_of(analysis.graph().edges, [&](const flow::Edge& edge) {
+        return edge.condition && queries::reads_what_changes(analysis, *edge.condition);
+    });
+}
+
 void check(const ProgramAnalysis& analysis, Reporter& reporter) {
-    if (!analysis.summary().alarm_end.by_mistake || queries::knows_callers(analysis)) return;
+    const dataflow::AlarmEnd& end = analysis.summary().alarm_end;
+    if (!(end.by_mistake || (end.in_text && asks_the_machine(analysis))) || queries::knows_callers(analysis))
+        return;
     for (const flow::Exit& exit : analysis.graph().exits) {
         if (exit.kind != flow::ExitKind::alarm || !dataflow::is_fallen_into(analysis.graph(), exit)) continue;
         const Span stop = analysis.program().effects[*exit.effect].span;

@@ -88,10 +88,17 @@ class JumpsToAlarms {
     std::map<std::int64_t, std::vector<const flow::ResolvedJump*>> jumps_;
 };
 
+/// The program works, and then always comes to an alarm.
+bool ends_by_mistake(const ProgramAnalysis& analysis) {
+    const dataflow::AlarmEnd& end = analysis.summary().alarm_end;
+    return end.in_text && end.works;
+}
+
 void check(const ProgramAnalysis& analysis, Reporter& reporter) {
     std::optional<JumpsToAlarms> jumps; // most programs have no such region
     for (const queries::UnreachedRegion& region : queries::unreached_regions(analysis)) {
-        if (!region.number || region.is_alarm || !region.work || region.is_explained) continue;
+        const bool is_end = region.leaves && ends_by_mistake(analysis);
+        if (!region.number || region.is_alarm || region.is_explained || (!region.work && !is_end)) continue;
         if (!jumps) jumps.emplace(analysis);
         const flow::ResolvedJump* jump = jumps->beside(region);
         if (jump == nullptr) continue;

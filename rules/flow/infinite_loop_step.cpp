@@ -1,15 +1,12 @@
 //! MAC320: the step of a loop's counter may be 0, or has the wrong sign.
 #include "analyzer/dataflow/facts/comparison.hpp"
+#include "analyzer/dataflow/facts/read.hpp"
 #include "analyzer/dataflow/facts/store.hpp"
 #include "analyzer/queries/loops/loop_counter.hpp"
 #include "analyzer/queries/loops/loop_steps.hpp"
-#include "analyzer/queries/values/origins.hpp"
 #include "analyzer/workspace/program_analysis.hpp"
-#include "rules/path.hpp"
+#include "rules/flow/endless_step.hpp"
 #include "rules/rule.hpp"
-#include "rules/trace.hpp"
-
-#include <string>
 
 namespace maclint::rules {
 
@@ -27,10 +24,16 @@ extern const Rule infinite_loop_step{
            "same pass until somebody presses reset.",
     .severity = Severity::warning,
     .precision = Precision::high,
-    .facts = dataflow::facts<dataflow::Store, dataflow::Comparison>(),
+    .facts = dataflow::facts<dataflow::Store, dataflow::Comparison, dataflow::Read>(),
     .data_flow = true,
     .messages = {{"vacant", "Endless loop: '{0}' changes nothing when {1} is left out or 0.",
                   "Reject both before the loop."},
+                 {"passed-zero",
+                  "Endless loop: '{0}' changes nothing for the call on line {1} of {2}, which passes 0.",
+                  "Pass another value, and reject 0 before the loop."},
+                 {"passed-sign",
+                  "Endless loop: '{0}' leads away from the end of the loop for the call on line {1} of {2}.",
+                  "Turn the sign of what it passes, of the step, or the comparison around."},
                  {"zero", "Endless loop: '{0}' changes nothing, because its step is 0.", "Correct the step."},
                  {"wrong-sign",
                   "Endless loop: '{0}' leads away from the end of the loop, which therefore never comes.",
@@ -38,6 +41,21 @@ extern const Rule infinite_loop_step{
     .bad = {{"fanuc", R"nc(
 O9320(DEPTH PASSES, Z DEPTH K STEP)
 IF[#26GE0]THEN#3000=1(Z MUST BE NEGATIVE)
+#33=0
+WHILE[#33GT#26]DO1
+#33=#33-#6
+G90 G1 Z#33
+END1
+M99
+)nc"},
+            {"fanuc", R"nc(
+O0320(PLATE)
+G65 P9321 Z-12. K0
+M30
+O9321(PASSES WITH ITS OWN FEED)
+G65 P9322 Z#26 K#6
+M99
+O9322(DEPTH PASSES, Z DEPTH K STEP)
 #33=0
 WHILE[#33GT#26]DO1
 #33=#33-#6
@@ -85,35 +103,9 @@ END
 
 namespace {
 
-using queries::StepFault;
-
-std::string name_of_vacancy_origin(const ProgramAnalysis& analysis, const dataflow::Step& step) {
-    const auto variable = queries::variable_of_origin(analysis, step.amount.vacancy_origin);
-    if (variable) return analysis.program().spell(*variable);
-    return "'" + quoted(analysis.program(), analysis.program().expressions[step.expression].span) + "'";
-}
-
-Finding& report(const ProgramAnalysis& analysis, Reporter& reporter, const dataflow::Store& store,
-                StepFault fault) {
-    const Program& program = analysis.program();
-    const Span span = program.effects[store.effect].span;
-    const std::string text = quoted(program, span);
-    if (fault == StepFault::vacant) {
-        const std::string name = name_of_vacancy_origin(analysis, *store.step);
-        Finding& finding = reporter.report({analysis, store.effect}, span, "vacant", {text, name});
-        trace_vacancy(finding, analysis, store.step->amount.vacancy_origin, name, store.node,
-                      "a vacant " + name + " counts as 0 in arithmetic");
-        return finding;
-    }
-    Finding& finding = reporter.report({analysis, store.effect}, span,
-                                       fault == StepFault::zero ? "zero" : "wrong-sign", {text});
-    trace(finding, analysis, store.node, "the counter is changed here");
-    return finding;
-}
-
 void check(const ProgramAnalysis& analysis, Reporter& reporter) {
     for (const auto& [counter, fault] : queries::find_endless_counters(analysis)) {
-        Finding& finding = report(analysis, reporter, *counter.steps.front(), fault);
+        Finding& finding = report_step(analysis, reporter, counter, fault);
         for (const queries::CounterTest& test : counter.tests)
             finding.related.push_back({analysis.source(),
                                        analysis.program().expressions[test.comparison->expression].span,

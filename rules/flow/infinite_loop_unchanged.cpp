@@ -39,6 +39,10 @@ extern const Rule infinite_loop_unchanged{
                  {"never-met",
                   "Endless loop: '{0}' never ends, because '{1}' turns out the same in every pass.",
                   "Check what the loop sets its variables to."},
+                 {"set-again",
+                  "Endless loop: '{0}' leads back in front of '{2}', so '{1}' turns out the same in every "
+                  "pass.",
+                  "Jump back behind it, or set it before the loop."},
                  {"no-exit", "Endless loop: nothing leads out of '{0}'.",
                   "Count in a variable that its condition asks, or leave it."}},
     .bad = {{"fanuc", R"nc(

@@ -24,9 +24,9 @@ extern const Rule loop_number_reuse_nested{
     .bad = {{"fanuc", R"nc(
 O9317(GRID)
 #100=0
-#101=0
 WHILE[#100LT5]DO1
 #100=#100+1
+#101=0
 WHILE[#101LT5]DO1
 #101=#101+1
 END1
@@ -36,9 +36,9 @@ M30
     .good = {{"fanuc", R"nc(
 O9317(GRID)
 #100=0
-#101=0
 WHILE[#100LT5]DO1
 #100=#100+1
+#101=0
 WHILE[#101LT5]DO2
 #101=#101+1
 END2

@@ -27,15 +27,15 @@ extern const Rule loops_nested_too_deep{
     .bad = {{"fanuc", R"nc(
 O9315(BLOCK)
 #100=0
-#101=0
-#102=0
-#103=0
 WHILE[#100LT5]DO1
 #100=#100+1
+#101=0
 WHILE[#101LT5]DO2
 #101=#101+1
+#102=0
 WHILE[#102LT5]DO3
 #102=#102+1
+#103=0
 WHILE[#103LT5]DO1
 #103=#103+1
 END1
@@ -47,13 +47,12 @@ M30
     .good = {{"fanuc", R"nc(
 O9315(BLOCK)
 #100=0
-#101=0
-#102=0
-#103=0
 WHILE[#100LT5]DO1
 #100=#100+1
+#101=0
 WHILE[#101LT5]DO2
 #101=#101+1
+#102=0
 WHILE[#102LT5]DO3
 #102=#102+1
 END3

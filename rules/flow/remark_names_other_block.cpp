@@ -12,14 +12,16 @@ void check(const ProgramAnalysis& analysis, Reporter& reporter);
 extern const Rule remark_names_other_block{
     .code = "MAC341",
     .name = "remark-names-other-block",
-    .summary = "A jump goes to another block than the remark beside it says",
+    .summary = "A jump goes to another block, or another tool is called, than the remark beside it says",
     .why = "One of the two was not changed with the other: the jump goes where it went before, or the next "
            "reader believes the remark.",
     .severity = Severity::note,
     .precision = Precision::high,
     .needs = {Capability::jumps},
     .messages = {{"other", "Remark and jump differ: '{0}' goes to N{1}, and the remark '{2}' says N{3}.",
-                  "Correct the jump, or the remark."}},
+                  "Correct the jump, or the remark."},
+                 {"tool", "Remark and tool differ: '{0}' calls tool {1}, and the remark '{2}' says T{3}.",
+                  "Correct the tool, or the remark."}},
     .bad = {{"fanuc", R"nc(
 O9341(CLAMP)
 N3 #9=50.
@@ -52,6 +54,12 @@ void check(const ProgramAnalysis& analysis, Reporter& reporter) {
         const Span span = program.effects[other.jump].span;
         Finding& finding = reporter.report({analysis, other.jump}, span, "other",
                                            {quoted(program, span), std::to_string(other.target),
+                                            quoted(program, other.remark), std::to_string(other.named)});
+        finding.related.push_back({analysis.source(), other.remark, "the remark"});
+    }
+    for (const OtherToolNamed& other : find_other_tools_named(analysis)) {
+        Finding& finding = reporter.report({analysis, other.tool}, other.tool, "tool",
+                                           {quoted(program, other.tool), std::to_string(other.called),
                                             quoted(program, other.remark), std::to_string(other.named)});
         finding.related.push_back({analysis.source(), other.remark, "the remark"});
     }

@@ -12,6 +12,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <variant>
 
 namespace maclint::rules {
@@ -172,13 +173,123 @@ class Finder {
     Jumps jumps_;
 };
 
+/// A number behind a T, with where it stands in a line.
+struct NumberedTool {
+    std::int64_t number;
+    std::size_t begin, end;
+};
+
+std::optional<NumberedTool> tool_at(std::string_view text, std::size_t at) {
+    std::size_t end = at + 1;
+    while (end < text.size() && is_digit(text[end])) ++end;
+    constexpr std::size_t most_digits = 4;
+    if (at >= text.size() || to_capital(text[at]) != 'T' || end == at + 1 || end > at + 1 + most_digits ||
+        (end < text.size() && (is_letter(text[end]) || text[end] == '.')))
+        return std::nullopt;
+    std::int64_t number = 0;
+    std::from_chars(text.data() + at + 1, text.data() + end, number);
+    return number == 0 ? std::nullopt : std::optional(NumberedTool{number, at, end});
+}
+
+/// The only T of the block, where it calls nothing and holds no variable.
+std::optional<NumberedTool> tool_called_in(std::string_view block) {
+    if (block.find_first_of("#[Pp") != std::string_view::npos) return std::nullopt;
+    const std::size_t at = block.find_first_of("Tt");
+    if (at == std::string_view::npos || block.find_first_of("Tt", at + 1) != std::string_view::npos)
+        return std::nullopt;
+    return tool_at(block, at);
+}
+
+/// The tool with which the remark begins that opens there.
+std::optional<NumberedTool> tool_of_remark(std::string_view line, std::size_t open) {
+    const std::size_t first = line.find_first_not_of(' ', open + 1);
+    return first == std::string_view::npos ? std::nullopt : tool_at(line, first);
+}
+
+bool is_same_tool(std::int64_t called, std::int64_t named) {
+    constexpr std::int64_t edges = 100; // of a lathe's T1205
+    return named == called || named == called / edges || named == called % edges || called == named / edges;
+}
+
+class ToolFinder {
+  public:
+    explicit ToolFinder(const ProgramAnalysis& analysis)
+        : program_(analysis.program())
+        , source_(*analysis.source()) {}
+
+    [[nodiscard]] std::vector<OtherToolNamed> run() {
+        const Span all = program_.span;
+        const std::string_view text = program_.slice(all);
+        std::uint32_t read_to = 0; // lines up to it have been looked at
+        for (std::size_t at = text.find('('); at != std::string_view::npos; at = text.find('(', at + 1)) {
+            const std::uint32_t line = source_.position(all.begin + static_cast<Offset>(at)).line;
+            if (line <= read_to) continue;
+            read_to = line;
+            look_at(line);
+        }
+        return std::move(found_);
+    }
+
+  private:
+    [[nodiscard]] std::string_view text_of(std::uint32_t line) const {
+        return program_.slice(source_.line_span(line));
+    }
+
+    void look_at(std::uint32_t line) {
+        const std::string_view text = text_of(line);
+        const auto named = tool_of_remark(text, text.find('('));
+        if (!named) return;
+        if (!is_remark(text)) return hold(line, text.substr(0, text.find('(')), line, *named);
+        const bool is_last = line == source_.position(program_.span.end).line;
+        if (is_last || is_in_list(line)) return;
+        const std::string_view next = text_of(line + 1);
+        if (next.find('(') == std::string_view::npos) hold(line + 1, next, line, *named);
+    }
+
+    /// Whether the line before is such a remark, too.
+    [[nodiscard]] bool is_in_list(std::uint32_t line) const {
+        if (line <= source_.position(program_.span.begin).line) return false;
+        const std::string_view before = text_of(line - 1);
+        return is_remark(before) && tool_of_remark(before, before.find('('));
+    }
+
+    void hold(std::uint32_t line, std::string_view block, std::uint32_t remark, const NumberedTool& named) {
+        const auto called = tool_called_in(block);
+        if (!called || is_same_tool(called->number, named.number)) return;
+        const Offset begin = source_.line_span(line).begin;
+        found_.push_back(
+            {{begin + static_cast<Offset>(called->begin), begin + static_cast<Offset>(called->end)},
+             called->number,
+             named.number,
+             remark_of(remark)});
+    }
+
+    [[nodiscard]] Span remark_of(std::uint32_t line) const {
+        const std::string_view text = text_of(line);
+        const std::size_t open = text.find('(');
+        const std::size_t close = std::min(text.find(')', open), text.size() - 1);
+        const Offset begin = source_.line_span(line).begin;
+        return {begin + static_cast<Offset>(open), begin + static_cast<Offset>(close + 1)};
+    }
+
+    const Program& program_;
+    const Source& source_;
+    std::vector<OtherToolNamed> found_;
+};
+
+bool has_remarks(const ProgramAnalysis& analysis) {
+    return analysis.program().slice(analysis.program().span).find('(') != std::string_view::npos;
+}
+
 } // namespace
 
 std::vector<OtherBlockNamed> find_other_blocks_named(const ProgramAnalysis& analysis) {
-    const bool has_remarks =
-        analysis.program().slice(analysis.program().span).find('(') != std::string_view::npos;
-    if (analysis.graph().jumps.empty() || !has_remarks) return {};
+    if (analysis.graph().jumps.empty() || !has_remarks(analysis)) return {};
     return Finder(analysis).run();
+}
+
+std::vector<OtherToolNamed> find_other_tools_named(const ProgramAnalysis& analysis) {
+    return ToolFinder(analysis).run();
 }
 
 } // namespace maclint::rules

@@ -22,6 +22,10 @@ extern const Rule incremental_after_reference{
     .messages =
         {{"kept",
           "Increments kept: '{0}' moves by its numbers, because the {1} of line {2} is still in force.",
+          "Write G90 before it, or in this block."},
+         {"added",
+          "Increments kept: '{0}' adds its numbers to the offset, because the {1} of line {2} is still in "
+          "force.",
           "Write G90 before it, or in this block."}},
     .bad = {{"fanuc", R"nc(
 O9524(PLATE)
@@ -76,24 +80,34 @@ M30
 
 namespace {
 
-void check(const MachineStep& at, Reporter& reporter) {
+/// A block that sets a work offset: the axes have values in it.
+bool sets_offset(const MachineStep& at) {
+    return at.step.words.has_one_of(at.letters().settings) &&
+           std::ranges::any_of(at.letters().axes, [&](char letter) { return at.step.words.has(letter); });
+}
+
+/// Whether the block moves by a number that is not 0, where nobody goes on by increments: after a tool
+/// change, or in a cut. Without a change the table may be brought to the operator.
+bool moves_by_numbers(const MachineStep& at, const machine::Known& distance) {
     using machine::Move;
-    const bool goes_somewhere =
-        at.step.move == Move::rapid || at.step.move == Move::feed || at.step.move == Move::cycle;
-    if (!goes_somewhere || !at.after().distance_for_return.is(1)) return;
+    const bool goes_somewhere = at.step.move == Move::rapid || at.cuts();
+    const machine::Known& changed = at.after().changed;
+    const bool is_new_tool = changed.is_known() && changed.block > distance.block;
+    return goes_somewhere && (is_new_tool || at.cuts()) &&
+           std::ranges::any_of(at.letters().axes, [&](char letter) {
+               const auto number = at.step.words.number(letter);
+               return number && number->value != 0;
+           });
+}
+
+void check(const MachineStep& at, Reporter& reporter) {
+    if (!at.after().distance_for_return.is(1)) return;
     if (machine::sets(at.analysis.control(), at.step.block, ModalRole::distance)) return;
     const machine::Known& distance = at.after().of(ModalRole::distance);
     if (!distance.is_known() || distance.is(at.letters().absolute)) return;
-    // After a tool change nobody goes on by increments; without one the table may be brought to the operator.
-    const machine::Known& changed = at.after().changed;
-    const bool is_new_tool = changed.is_known() && changed.block > distance.block;
-    if (!is_new_tool && !at.cuts()) return;
-    const bool is_by_numbers = std::ranges::any_of(at.letters().axes, [&](char letter) {
-        const auto number = at.step.words.number(letter);
-        return number && number->value != 0;
-    });
-    if (!is_by_numbers || !at.is_first_of(at.after().distance_for_return)) return;
-    Finding& finding = reporter.report(at.cause(), at.block(), "kept",
+    const bool adds = sets_offset(at);
+    if ((!adds && !moves_by_numbers(at, distance)) || !at.is_first_of(at.after().distance_for_return)) return;
+    Finding& finding = reporter.report(at.cause(), at.block(), adds ? "added" : "kept",
                                        {at.quoted_block(), at.spelled(at.after(), ModalRole::distance),
                                         at.line_of(at.after().distance_for_return)});
     finding.related.push_back(at.at(at.after().distance_for_return, "it stands here, for the return"));

@@ -24,6 +24,7 @@ std::string_view message_for(Reason::Kind kind) {
     using Kind = Reason::Kind;
     switch (kind) {
     case Kind::itself: return "itself";
+    case Kind::same_sides: return "same-sides";
     case Kind::number: return "number";
     case Kind::test: return "tested";
     case Kind::same_test: return "repeated";

@@ -35,6 +35,8 @@ extern const Rule constant_condition{
     .messages = {{"decided", "Condition {1} true: '{0}'.", "Correct it, or remove it."},
                  {"itself", "Condition {1} true: '{0}', whatever the values are.",
                   "Exchange AND and OR, or correct a comparison."},
+                 {"same-sides", "Condition {1} true: '{0}' compares a variable with itself.",
+                  "Compare it with the limit that was meant."},
                  {"number", "Condition {1} true: '{0}', because {3} is {4} since line {2}.",
                   "Correct it, or remove it."},
                  {"tested", "Condition {1} true: '{0}', because of the test '{3}' on line {2}.",

@@ -42,7 +42,14 @@ struct Sides {
     bool vacant = false; ///< one has never been set
     bool open = true;    ///< no comparison is decided by itself: #1LT8 OR #1GT6
     bool near = false;   ///< one may be decided otherwise by the rounding of a calculated value
+    bool same = false;   ///< one has a single variable on both sides: #1GE#1
 };
+
+/// The variable that is all of one side.
+std::optional<Variable> variable_of_side(const Program& program, ExpressionId side) {
+    const auto* load = std::get_if<Load>(&program.expressions[side].node);
+    return load == nullptr ? std::nullopt : std::optional(load->variable);
+}
 
 /// 1-#1*#1/900, which is never below 0 but by its last digit, is asked for LT0 in front of SQRT.
 bool is_rounding_away(const dataflow::Comparison& comparison) {
@@ -58,6 +65,9 @@ Sides sides_of(const ProgramAnalysis& analysis, const dataflow::Condition& condi
     for (const auto& comparison : analysis.facts().at<dataflow::Comparison>(condition.effect)) {
         sides.open &= comparison.truth.can_hold && comparison.truth.can_fail;
         sides.near |= is_rounding_away(comparison);
+        const auto left = variable_of_side(analysis.program(), comparison.left_expression);
+        sides.same |= comparison.left_expression != comparison.right_expression && left &&
+                      left == variable_of_side(analysis.program(), comparison.right_expression);
         for (const dataflow::Value* value : {&comparison.left, &comparison.right})
             sides.vacant |= value->vacancy == dataflow::Vacancy::vacant;
     }
@@ -86,7 +96,7 @@ bool DeliberateConditions::may_be_meant(const dataflow::Condition& condition,
         (jump_target(program, condition.effect) ||
          guarded_text(program, guard->effect) == guarded_text(program, condition.effect)))
         return false;
-    if (sides.open) return false;
+    if (sides.open || sides.same) return false;
     const bool asks_of_vacant = exemptions::condition_on_vacancy.is_on() && sides.vacant;
     const bool asks_for_settings = !guard && exemptions::condition_on_settings.is_on();
     if (!guard && sides.near) return true;
@@ -137,7 +147,9 @@ Reason reason_for(const ProgramAnalysis& analysis, const dataflow::Condition& co
                       earlier};
     };
     if (guard) return tested(guard->condition);
-    if (sides_of(analysis, condition).open) return {Reason::Kind::itself, {}, 0, {}, {}};
+    const Sides sides = sides_of(analysis, condition);
+    if (sides.same) return {Reason::Kind::same_sides, {}, 0, {}, {}};
+    if (sides.open) return {Reason::Kind::itself, {}, 0, {}, {}};
     for (const dataflow::Read& read : analysis.facts().at<dataflow::Read>(condition.effect)) {
         const auto number = read.value.constant();
         const auto set = queries::effect_of_origin(analysis, read.value.origin);

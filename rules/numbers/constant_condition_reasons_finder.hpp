@@ -50,11 +50,12 @@ class DeliberateConditions {
 /// Why a condition is decided where it stands.
 struct Reason {
     enum class Kind : std::uint8_t {
-        unknown,   ///< neither of these tells why
-        itself,    ///< its parts decide it, whatever the values are: #1LT8 OR #1GT6
-        number,    ///< a variable that it asks for is one number
-        test,      ///< an earlier test of the same variable
-        same_test, ///< the guard before it, which asks the very same
+        unknown,    ///< neither of these tells why
+        same_sides, ///< a variable is compared with itself
+        itself,     ///< its parts decide it, whatever the values are: #1LT8 OR #1GT6
+        number,     ///< a variable that it asks for is one number
+        test,       ///< an earlier test of the same variable
+        same_test,  ///< the guard before it, which asks the very same
     } kind;
     std::optional<Variable> variable; ///< of Kind::number
     double number = 0;

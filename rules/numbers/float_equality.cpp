@@ -41,6 +41,9 @@ extern const Rule float_equality{
          {"distance",
           "Distance of exactly 0: in '{0}' the last digit of a measured or calculated number decides.",
           "Compare '{1}' with a tolerance, as 0.001."},
+         {"touched",
+          "Equality of a place: '{0}' is true only where '{1}' is the other number to its last digit.",
+          "Compare the ABS of the difference with a tolerance, as 0.01."},
          {"sum-equal", "Equality of a sum: '{0}' may be false when the steps added to {1} have decimals.",
           "Ask whether the ABS of the difference is less than 0.001."},
          {"sum-not-equal",
@@ -120,6 +123,7 @@ void report(const ProgramAnalysis& analysis, Reporter& reporter, const dataflow:
                                    quoted(program, program.expressions[inexact.side].span)};
     const bool equal = comparison.operation == Operation::equal;
     std::string_view id = inexact.why == Why::distance ? "distance" : equal ? "equal" : "not-equal";
+    if (inexact.why == Why::touched) id = "touched";
     if (inexact.why == Why::sum) id = equal ? "sum-equal" : "sum-not-equal";
     if (inexact.why == Why::rounded)
         words.push_back(
@@ -130,7 +134,8 @@ void report(const ProgramAnalysis& analysis, Reporter& reporter, const dataflow:
     if (inexact.why == Why::rounded)
         trace(finding, analysis, inexact.rounding, "the result is rounded here", node, "and compared here");
     else if (inexact.sum == nullptr)
-        trace(finding, analysis, node, "the distance is compared with 0");
+        trace(finding, analysis, node,
+              inexact.why == Why::touched ? "the place is compared here" : "the distance is compared with 0");
     else
         trace(finding, analysis, inexact.sum->node,
               related_at_effect(analysis, inexact.sum->effect, "a step is added in every pass"), node,

@@ -1,6 +1,7 @@
 //! Asks where the values of both sides come from.
 #include "rules/numbers/float_equality_comparisons_finder.hpp"
 
+#include "analyzer/program/tables.hpp"
 #include "analyzer/queries/conditions/conditions.hpp"
 #include "analyzer/queries/values/calculations.hpp"
 #include "analyzer/queries/values/copies.hpp"
@@ -40,6 +41,16 @@ bool is_distance_to_nothing(const ProgramAnalysis& analysis, const Value& value,
     return zero.constant() == 0.0 && !value.integer && queries::is_distance(analysis, value);
 }
 
+/// `#5063EQ#1`, where the program has calculated #1.
+bool is_touch_on_calculated_place(const ProgramAnalysis& analysis, ExpressionId side,
+                                  const dataflow::Value& other) {
+    const auto* machine = std::get_if<LoadMachine>(&analysis.program().expressions[side].node);
+    const VariableRange* range =
+        machine == nullptr ? nullptr : analysis.control().families[machine->family].find(machine->number);
+    return range != nullptr && range->is_skip_position &&
+           analysis.data().table().symbols[other.symbol].kind() == dataflow::Symbol::Kind::result;
+}
+
 } // namespace
 
 std::optional<InexactSide> inexact_side(const ProgramAnalysis& analysis, const Sums& sums,
@@ -58,6 +69,10 @@ std::optional<InexactSide> inexact_side(const ProgramAnalysis& analysis, const S
         return InexactSide{comparison.left_expression, Why::distance};
     if (is_distance_to_nothing(analysis, comparison.right, comparison.left))
         return InexactSide{comparison.right_expression, Why::distance};
+    if (is_touch_on_calculated_place(analysis, comparison.left_expression, comparison.right))
+        return InexactSide{comparison.left_expression, Why::touched};
+    if (is_touch_on_calculated_place(analysis, comparison.right_expression, comparison.left))
+        return InexactSide{comparison.right_expression, Why::touched};
     return std::nullopt;
 }
 

@@ -24,13 +24,14 @@ struct InexactSide {
         rounded,  ///< by an operation, at `rounding`
         sum,      ///< of steps that may have decimals
         distance, ///< of measured or passed numbers, as ABS[#1-#2]: nobody knows how exact they are
+        touched,  ///< where a signal ended a move, held against a calculated place
     } why;
     dataflow::OriginId rounding = 0;
     const dataflow::Store* sum = nullptr; ///< nullptr when it is none
 };
 
 /// The first side that was rounded, else the first that is one of the sums, else a distance that is compared
-/// with 0; nothing where the comparison tells the truth all the same.
+/// with 0, or the place of a touch; nothing where the comparison tells the truth all the same.
 [[nodiscard]] std::optional<InexactSide> inexact_side(const ProgramAnalysis& analysis, const Sums& sums,
                                                       const dataflow::Comparison& comparison);
 

@@ -36,6 +36,8 @@ R1=ATAN2(R2,R3)
 G0 X=SIN(30)
 M30
 )nc"}},
+    .alarms = {{"SINUMERIK", "14020", "wrong number of parameters in a call of a function or procedure",
+                false}},
     .sources = {"HLS", "SEED-003:18895-18918", "SEED-003:19568", "SEED-003:19615"},
     .check = SyntaxErrorKind::argument_count,
 };

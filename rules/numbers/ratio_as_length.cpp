@@ -1,6 +1,8 @@
 //! MAC230: a word of a length gets a ratio.
+#include "analyzer/dataflow/facts/read.hpp"
 #include "analyzer/workspace/program_analysis.hpp"
 #include "rules/numbers/ratio_as_length_finder.hpp"
+#include "rules/numbers/ratio_as_length_halves_finder.hpp"
 #include "rules/path.hpp"
 #include "rules/rule.hpp"
 
@@ -13,14 +15,21 @@ void check(const ProgramAnalysis& analysis, Reporter& reporter);
 extern const Rule ratio_as_length{
     .code = "MAC230",
     .name = "angle-used-as-length",
-    .summary = "A word of a move gets a sine, cosine or tangent as its length",
+    .summary = "A length is a sine, cosine or tangent, an angle, or a place and half of another one",
     .why = "SIN, COS and TAN give how one side compares with another: without the length that they are "
            "multiplied with the axis moves by less than 1.",
     .severity = Severity::note,
     .precision = Precision::high,
     .needs = {Capability::vacancy},
+    .facts = dataflow::facts<dataflow::Read>(),
     .messages = {{"ratio", "Ratio for a length: '{0}' has no side that it is multiplied with.",
-                  "Multiply it with the length of the side."}},
+                  "Multiply it with the length of the side."},
+                 {"angle", "Angle for a length: '{0}' holds what ASIN, ACOS or ATAN gives, an angle.",
+                  "Take the length that was calculated with it."},
+                 {"half", "Half of a place: '{0}' adds a place and the half of another place of that axis.",
+                  "Put the sum in brackets where their middle is meant."},
+                 {"middle", "Middle of one value: '{0}' adds a variable to itself and halves the sum.",
+                  "Take the second of the two."}},
     .bad = {{"fanuc", R"nc(
 O9230(CIRCLE, A ANGLE R RADIUS)
 G91 G17 G2 X[#18*SIN[#1]] Y-[#18*[1-COS[#1]]] I-SIN[#1] J-[#18*COS[#1]] F200.
@@ -41,8 +50,14 @@ namespace {
 
 void check(const ProgramAnalysis& analysis, Reporter& reporter) {
     const Program& program = analysis.program();
-    for (const Span word : find_ratios_as_lengths(program))
-        reporter.report({analysis, word}, word, "ratio", {quoted(program, word)});
+    for (const AngleAsLength& found : find_angles_as_lengths(program))
+        reporter.report({analysis, found.word}, found.word, found.is_angle ? "angle" : "ratio",
+                        {quoted(program, found.word)});
+    for (const HalfOfAPlace& half : find_halves_of_places(analysis)) {
+        const Span span = program.expressions[half.sum].span;
+        reporter.report({analysis, half.effect, half.sum}, span, half.is_one_place ? "middle" : "half",
+                        {quoted(program, span)});
+    }
 }
 
 } // namespace

@@ -50,7 +50,7 @@ O9124(ONCE)
 IF[#500NE0]GOTO9
 #500=1
 #3=POW[#500,3]
-G0 X#3 Y[ATAN[#3]/[#500]]
+G0 X#3 A[ATAN[#3]/[#500]]
 N9 M99
 )nc"}},
     .alarms = {{"FANUC 16i/18i/21i", "113", "IMPROPER COMMAND", true, "lacks-function"},

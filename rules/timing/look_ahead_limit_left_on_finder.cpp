@@ -5,12 +5,15 @@
 #include "analyzer/program/block_view.hpp"
 #include "analyzer/queries/machine/switches_at.hpp"
 #include "analyzer/queries/machine/unfinished_moves.hpp"
+#include "analyzer/queries/paths/feasible_paths.hpp"
 
+#include <algorithm>
 #include <cstddef>
 #include <map>
-#include <set>
 #include <span>
 #include <utility>
+#include <variant>
+#include <vector>
 
 namespace maclint::rules {
 namespace {
@@ -29,7 +32,7 @@ class Limit {
             [&](const BlockView& block, std::span<const Word> words, const WordSummary*) {
                 machine::SwitchState state;
                 stepper.run(block, words, state);
-                if (state.all[of].is_surely_on()) on_.insert(block.span.begin);
+                if (state.all[of].is_surely_on()) on_.emplace(block.span.begin, block.span);
                 if (state.all[of].is_surely_off()) ends_.emplace(block.span.begin, block.span);
             });
     }
@@ -45,10 +48,11 @@ class Limit {
             const machine::Switched& at_exit = state.all[of_];
             const auto ended = ends_.find(at_exit.off_at);
             if (at_exit.is_surely_off() && ended != ends_.end() && !end) end = ended->second;
-            if (exit.kind != flow::ExitKind::returns || !at_exit.is_surely_on() ||
-                !on_.contains(at_exit.on_at))
-                continue;
-            if (returns.empty()) limit = at_exit.on_at;
+            if (exit.kind != flow::ExitKind::returns || at_exit.is_surely_off()) continue;
+            const auto under = at_exit.is_surely_on() ? on_.find(at_exit.on_at) : passed_over_ends(exit.node);
+            if (under == on_.end()) continue;
+            if (!at_exit.is_surely_on() && !end) end = ends_.begin()->second;
+            if (returns.empty()) limit = under->first;
             returns.push_back(exit.node);
         }
         if (!end || returns.empty()) return std::nullopt;
@@ -56,6 +60,29 @@ class Limit {
     }
 
   private:
+    using Blocks = std::map<Offset, Span>;
+
+    /// The limit that is still on where the control comes to the node on a way around all blocks that end it,
+    /// and around all calls, which may.
+    [[nodiscard]] Blocks::const_iterator passed_over_ends(flow::NodeId node) const {
+        const flow::Graph& graph = analysis_.graph();
+        if (ends_.empty()) return on_.end();
+        std::vector<flow::NodeId> barred;
+        for (const auto& [begin, block] : ends_)
+            if (const auto ending = graph.node_of(block)) barred.push_back(*ending);
+        for (const flow::NodeId with : graph.with_effects)
+            if (std::ranges::any_of(analysis_.program().effects_in(graph.nodes[with].effects), calls))
+                barred.push_back(with);
+        std::ranges::sort(barred);
+        return std::ranges::find_if(on_, [&](const auto& limit) {
+            const auto from = graph.node_of(limit.second);
+            return from && analysis_.data().reached(*from) &&
+                   queries::can_follow(analysis_, *from, node, barred);
+        });
+    }
+
+    static bool calls(const Effect& effect) { return std::holds_alternative<Call>(effect.what); }
+
     /// A block that was to end it, and that no path leads to.
     [[nodiscard]] std::optional<Span> unreached_end() const {
         for (const auto& [begin, block] : ends_)
@@ -67,8 +94,7 @@ class Limit {
     const ProgramAnalysis& analysis_;
     std::size_t of_;
     const machine::SwitchesOfChannel& switches_;
-    std::set<Offset> on_;
-    std::map<Offset, Span> ends_;
+    std::map<Offset, Span> on_, ends_;
 };
 
 } // namespace

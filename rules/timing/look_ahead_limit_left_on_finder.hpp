@@ -14,8 +14,9 @@ struct LimitLeftOn {
     std::vector<flow::NodeId> returns; ///< under it, in text order
 };
 
-/// Only where the program surely returns under its own limit, and leaves on another way with the limit ended,
-/// or has a block for that to which no path leads. Nothing where it does not.
+/// Only where the program surely returns under its own limit, or comes to a return on a way around all blocks
+/// that end it, and leaves on another way with the limit ended, or has a block for that to which no path
+/// leads. Nothing where it does not.
 [[nodiscard]] std::optional<LimitLeftOn> limit_left_on(const ProgramAnalysis& analysis);
 
 } // namespace maclint::rules

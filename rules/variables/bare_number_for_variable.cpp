@@ -39,6 +39,10 @@ extern const Rule bare_number_for_variable{
                   "Write #{1}."},
                  {"bracket", "Number for a variable: '{0}' is the number {1}, and other blocks say #{1}.",
                   "Write [#{1}]."},
+                 {"set-in-vain",
+                  "Number for a variable: '{0}' is a number here, and #{1}, which the program sets, is read "
+                  "nowhere.",
+                  "Write #{1}."},
                  {"sibling", "Number for a variable: '{0}' is the number {1}, and line {2} has '{3}'.",
                   "Write #{1}."}},
     .bad = {{"fanuc", R"nc(
@@ -121,10 +125,13 @@ void check(const ProgramAnalysis& analysis, Reporter& reporter) {
         }
     }
     for (const BareNumber& bare : find_bare_numbers(program)) {
-        Finding& finding = reporter.report(
-            {analysis, bare.span}, bare.span, bare.sibling.empty() ? "bracket" : "sibling",
-            {quoted(program, bare.span), std::to_string(bare.number),
-             line_number(analysis.file(), bare.sibling.begin), quoted(program, bare.sibling)});
+        Finding& finding = reporter.report({analysis, bare.span}, bare.span,
+                                           bare.is_set_in_vain    ? "set-in-vain"
+                                           : bare.sibling.empty() ? "bracket"
+                                                                  : "sibling",
+                                           {quoted(program, bare.span), std::to_string(bare.number),
+                                            line_number(analysis.file(), bare.sibling.begin),
+                                            quoted(program, bare.sibling)});
         if (!bare.sibling.empty())
             finding.related.push_back({analysis.source(), bare.sibling, "the variable stands here"});
     }

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <cstddef>
 #include <map>
+#include <set>
 #include <span>
 #include <string_view>
 #include <utility>
@@ -76,6 +77,97 @@ void find_in_brackets(const Program& program, const VariableWords& siblings, std
     }
 }
 
+/// The numbers of variables that the program sets and never reads.
+std::set<std::int64_t> numbers_set_in_vain(const Program& program) {
+    std::set<std::int64_t> numbers;
+    for (const Effect& effect : program.effects)
+        if (const auto* assign = std::get_if<Assign>(&effect.what))
+            if (const auto* target = std::get_if<Variable>(&assign->target)) numbers.insert(target->number);
+    for (const Expression& expression : program.expressions)
+        if (const auto* load = std::get_if<Load>(&expression.node)) numbers.erase(load->variable.number);
+    return numbers;
+}
+
+/// Marks the expression and its operands.
+void mark(const Program& program, ExpressionId id, std::vector<bool>& marked) {
+    marked[id] = true;
+    if (const auto* apply = std::get_if<Apply>(&program.expressions[id].node))
+        for (const ExpressionId operand : program.operands_of(*apply)) mark(program, operand, marked);
+}
+
+/// Those in brackets that name a variable by its number.
+std::vector<bool> indexes(const Program& program) {
+    std::vector<bool> marked(program.expressions.size(), false);
+    for (const Expression& expression : program.expressions)
+        if (const auto* load = std::get_if<LoadAt>(&expression.node)) mark(program, load->index, marked);
+    for (const Effect& effect : program.effects)
+        if (const auto* assign = std::get_if<Assign>(&effect.what))
+            if (const auto* store = std::get_if<StoreAt>(&assign->target))
+                mark(program, store->index, marked);
+    return marked;
+}
+
+bool is_basic_arithmetic(Operation operation) {
+    return operation == Operation::add || operation == Operation::subtract ||
+           operation == Operation::multiply || operation == Operation::divide;
+}
+
+/// `#30=517*2` where the program sets #517, and nothing in it reads that. Round numbers are numbers.
+void find_in_calculations(const Program& program, std::vector<BareNumber>& found) {
+    constexpr std::int64_t first_common = 100, round = 10;
+    const std::set<std::int64_t> in_vain = numbers_set_in_vain(program);
+    if (in_vain.empty() || *in_vain.rbegin() < first_common) return;
+    const std::vector<bool> is_index = indexes(program);
+    for (ExpressionId id = 0; id < program.expressions.size(); ++id) {
+        const auto* apply = std::get_if<Apply>(&program.expressions[id].node);
+        if (apply == nullptr || is_index[id] || !is_basic_arithmetic(apply->operation)) continue;
+        for (const ExpressionId operand : program.operands_of(*apply)) {
+            const auto number = number_of_a_variable(program, operand);
+            const Span span = program.expressions[operand].span;
+            if (number && *number >= first_common && *number % round != 0 && in_vain.contains(*number) &&
+                !program.slice(span).starts_with('['))
+                found.push_back({*number, span, {}, true});
+        }
+    }
+}
+
+/// The sum or difference that the value of the word is.
+const Apply* sum_in(const Program& program, const Word& word) {
+    const auto* id = std::get_if<ExpressionId>(&word.value);
+    const auto* apply = id == nullptr ? nullptr : std::get_if<Apply>(&program.expressions[*id].node);
+    const bool is_sum =
+        apply != nullptr && (apply->operation == Operation::add || apply->operation == Operation::subtract);
+    return is_sum ? apply : nullptr;
+}
+
+bool adds_own_argument(const Program& program, const Word& word) {
+    const Apply* sum = sum_in(program, word);
+    return sum != nullptr && std::ranges::any_of(program.operands_of(*sum), [&](ExpressionId operand) {
+               const auto* load = std::get_if<Load>(&program.expressions[operand].node);
+               return load != nullptr && is_argument_of_letter(program, word, load->variable.number);
+           });
+}
+
+/// `X[24+#1]` beside `Y[#25+#2]`.
+void find_in_sums(const Program& program, std::vector<BareNumber>& found) {
+    for (ItemId item = 0; item < program.items.size(); ++item) {
+        const auto block = stored_block(program, item);
+        if (!block) continue;
+        const auto sibling = std::ranges::find_if(
+            block->words, [&](const Word& word) { return adds_own_argument(program, word); });
+        if (sibling == block->words.end()) continue;
+        for (const Word& word : block->words) {
+            const Apply* sum = sum_in(program, word);
+            if (sum == nullptr) continue;
+            for (const ExpressionId operand : program.operands_of(*sum)) {
+                const auto number = number_of_a_variable(program, operand);
+                if (number && is_argument_of_letter(program, word, *number))
+                    found.push_back({*number, program.expressions[operand].span, sibling->span});
+            }
+        }
+    }
+}
+
 /// Whether the word moves an axis or gives a length, and its value is written as a number.
 const Literal* length_in(const Word& word) {
     constexpr std::string_view lengths = "XYZUVWIJKR";
@@ -128,6 +220,8 @@ std::vector<BareNumber> find_bare_numbers(const Program& program) {
     std::vector<BareNumber> found;
     const VariableWords siblings = words_of_variables(program);
     find_in_brackets(program, siblings, found);
+    find_in_calculations(program, found);
+    find_in_sums(program, found);
     find_words(program, siblings, found);
     std::ranges::sort(found, {}, [](const BareNumber& bare) { return bare.span.begin; });
     return found;

@@ -21,10 +21,13 @@ struct BareNumber {
     Span span; ///< `[517]`, `X18`
     Span
         sibling; ///< `F[#517]`, `X#18`: a word of the same letter; empty: only other blocks name the variable
+    bool is_set_in_vain = false; ///< the variable, whose number stands in a calculation
 };
 
 /// Numbers alone in brackets, where the program names the variable of that number; and words whose number has
-/// no point while those of all others do, where a word of the same letter takes that variable. In text order.
+/// no point while those of all others do, where a word of the same letter takes that variable; and numbers in
+/// calculations, where the program sets the variable of that number and nothing reads it, or where the word's
+/// letter passes it and another word of the block adds to its own (`X[24+#1] Y[#25+#2]`). In text order.
 [[nodiscard]] std::vector<BareNumber> find_bare_numbers(const Program& program);
 
 } // namespace maclint::rules

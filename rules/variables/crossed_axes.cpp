@@ -1,8 +1,15 @@
 //! MAC215: of statements alike for two axes, or two work offsets, one takes the variable of the other.
+#include "analyzer/dataflow/facts/read.hpp"
+#include "analyzer/dataflow/facts/store.hpp"
 #include "rules/path.hpp"
 #include "rules/rule.hpp"
 #include "rules/variables/crossed_axes_cases_finder.hpp"
 #include "rules/variables/crossed_axes_finder.hpp"
+#include "rules/variables/crossed_axes_positions_finder.hpp"
+
+#include <algorithm>
+#include <string>
+#include <vector>
 
 namespace maclint::rules {
 
@@ -18,9 +25,14 @@ extern const Rule crossed_axes{
            "was: the axis goes to a place that the other one decides.",
     .severity = Severity::warning,
     .precision = Precision::high,
+    .facts = dataflow::facts<dataflow::Read, dataflow::Store>(),
     .messages = {{"crossed",
                   "Axes crossed: '{0}' is made of {1}, where '{2}' beside it is made of its own {3}.",
                   "Take {4}, or say in a comment why not."},
+                 {"position",
+                  "Position of another axis: '{0}' sets an offset of the axis of {1}, and {2} is a place of "
+                  "another axis.",
+                  "Take {3}, or what was stored of it."},
                  {"case", "Another work offset: {0} belongs to {1}, and '{2}' stands in the case for {3}.",
                   "Take {4}, as the other cases take their own."}},
     .bad = {{"fanuc", R"nc(
@@ -66,9 +78,26 @@ void report_cases(const ProgramAnalysis& analysis, Reporter& reporter) {
     }
 }
 
+/// But for statements of which something is said already.
+void report_positions(const ProgramAnalysis& analysis, const std::vector<EffectId>& told,
+                      Reporter& reporter) {
+    const Program& program = analysis.program();
+    for (const PositionOfAnotherAxis& other : find_positions_of_other_axes(analysis)) {
+        if (std::ranges::find(told, other.effect) != told.end()) continue;
+        const Span span = program.effects[other.effect].span;
+        const Span position = program.expressions[other.position].span;
+        Finding& finding = reporter.report({analysis, other.effect}, span, "position",
+                                           {quoted(program, span), program.spell(other.base),
+                                            quoted(program, position), program.spell(other.meant)});
+        if (!span.contains(position.begin))
+            finding.related.push_back({analysis.source(), position, "it is read here"});
+    }
+}
+
 void check(const ProgramAnalysis& analysis, Reporter& reporter) {
     report_cases(analysis, reporter);
     const Program& program = analysis.program();
+    std::vector<EffectId> told;
     for (const CrossedStatements& crossed : find_crossed_statements(program)) {
         const Span span = program.expressions[crossed.operand].span;
         const std::string meant = program.spell(crossed.meant);
@@ -79,7 +108,9 @@ void check(const ProgramAnalysis& analysis, Reporter& reporter) {
                              program.spell(crossed.siblings_own), meant});
         finding.related.push_back(related_at_effect(analysis, crossed.sibling, "the statement beside it"));
         finding.offer({"Take " + meant, Applicability::unsafe, {{analysis.source(), span, meant}}});
+        told.push_back(crossed.effect);
     }
+    report_positions(analysis, told, reporter);
 }
 
 } // namespace

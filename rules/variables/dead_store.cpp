@@ -7,6 +7,7 @@
 #include "rules/path.hpp"
 #include "rules/rule.hpp"
 #include "rules/trace.hpp"
+#include "rules/variables/mistaken_stores.hpp"
 
 #include <algorithm>
 #include <ranges>
@@ -26,10 +27,8 @@ extern const Rule dead_store{
     .why =
         "One of the two assignments was meant for another variable, or stands in the wrong place: what the "
         "program has calculated is lost. A note, on request, where nothing follows that could read the "
-        "value. Numbers "
-        "that somebody may edit, vacant, counters, saved codes and copies that wait for their use are left "
-        "alone, and so are variables "
-        "that other programs or the operator may look at in between.",
+        "value. Numbers that somebody may edit, vacant, counters, saved codes and copies that wait for "
+        "their use are left alone, and so are variables that others may look at in between.",
     .severity = Severity::warning,
     .precision = Precision::high,
     .facts = dataflow::facts<dataflow::Store, dataflow::Read>(),
@@ -42,6 +41,9 @@ extern const Rule dead_store{
                   "Set the variable that was meant, or remove one of the two."},
                  {"unread", "Value never used: nothing reads {1} after '{0}'.",
                   "Use it, or remove the assignment.", true},
+                 {"other-number",
+                  "Another variable: nothing reads {1} of '{0}', and nothing sets {2} of line {3}.",
+                  "Correct the one that is wrong."},
                  {"never", "Variable never used: '{0}' sets {1}, and no block reads it.",
                   "Use it, or remove the assignment.", true}},
     .bad = {{"fanuc", R"nc(
@@ -133,8 +135,7 @@ bool is_only_repeated(const queries::DeadStore& dead) {
     });
 }
 
-/// #32=#5001, which nobody reads: it keeps a place for something. #576=#572 loses nothing as long as #572 has
-/// it still.
+/// #32=#5001, which nobody reads, keeps a place; #576=#572 loses nothing as long as #572 has it still.
 bool is_spare_copy(const ProgramAnalysis& analysis, const queries::DeadStore& dead) {
     const VariableSpace& space = analysis.control().spaces[dead.store->variable.space];
     return (!dead.read_elsewhere || (space.scope != Scope::frame && !dead.source_changes)) &&
@@ -148,6 +149,7 @@ std::string_view message_for(const queries::DeadStore& dead) {
 }
 
 void check(const ProgramAnalysis& analysis, Reporter& reporter) {
+    report_mistaken_stores(analysis, reporter);
     const Program& program = analysis.program();
     for (const queries::DeadStore& dead : queries::find_dead_stores(analysis)) {
         const bool special_case = dead.only_if && dead.read_elsewhere; // MAC214's

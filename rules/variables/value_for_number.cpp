@@ -27,7 +27,9 @@ extern const Rule value_for_number{
                   "Write {2} without its #."},
                  {"number",
                   "Number for a value: '#{0}' is the variable whose number is {1} less {2}, and no length.",
-                  "Write the difference of {3} and {2}, the # inside of the bracket."}},
+                  "Write the difference of {3} and {2}, the # inside of the bracket."},
+                 {"compared", "Numbers for values: '{0}' compares two numbers of variables, always alike.",
+                  "Compare what the variables hold, #[…] on both sides."}},
     .bad = {{"fanuc", R"nc(
 O9233(LENGTH OF TOOL D)
 IF[#7LT1]GOTO9
@@ -65,6 +67,10 @@ void check(const ProgramAnalysis& analysis, Reporter& reporter) {
         const Span span = program.expressions[found.index].span;
         const std::string value = quoted(program, program.expressions[found.value].span);
         reporter.report({analysis, span}, span, "value", {quoted(program, span), value, value});
+    }
+    for (const ExpressionId id : find_numbers_compared(program)) {
+        const Span span = program.expressions[id].span;
+        reporter.report({analysis, span}, span, "compared", {quoted(program, span)});
     }
     for (const NumberForValue& found : find_numbers_for_values(program)) {
         const Span span = program.expressions[found.index].span;

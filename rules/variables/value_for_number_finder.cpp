@@ -3,10 +3,13 @@
 
 #include "analyzer/program/tables.hpp"
 #include "analyzer/program/whole_number.hpp"
+#include "analyzer/semantics/concrete.hpp"
 
 #include <algorithm>
 #include <cstdint>
 #include <optional>
+#include <set>
+#include <utility>
 #include <variant>
 
 namespace maclint::rules {
@@ -96,7 +99,65 @@ const LoadAt* indexed(const Program& program, ExpressionId id) {
     return std::get_if<LoadAt>(&program.expressions[id].node);
 }
 
+/// The variables that are all of an index.
+std::set<std::pair<SpaceId, std::int32_t>> variables_of_indexes(const Program& program) {
+    std::set<std::pair<SpaceId, std::int32_t>> found;
+    const auto look_at = [&](ExpressionId index) {
+        if (const auto* load = std::get_if<Load>(&program.expressions[index].node))
+            found.emplace(load->variable.space, load->variable.number);
+    };
+    for (const Expression& expression : program.expressions)
+        if (const auto* load = std::get_if<LoadAt>(&expression.node)) look_at(load->index);
+    for (const Effect& effect : program.effects)
+        if (const auto* assign = std::get_if<Assign>(&effect.what))
+            if (const auto* store = std::get_if<StoreAt>(&assign->target)) look_at(store->index);
+    return found;
+}
+
+/// Whether the only value that the program gives the variable is the sum of a number and something else.
+bool holds_a_number_only(const Program& program, Variable variable) {
+    constexpr double first_common = 100;
+    int sums = 0;
+    for (const Effect& effect : program.effects) {
+        const auto* assign = std::get_if<Assign>(&effect.what);
+        const auto* target = assign == nullptr ? nullptr : std::get_if<Variable>(&assign->target);
+        if (target == nullptr || !(*target == variable)) continue;
+        const auto* sum = std::get_if<Apply>(&program.expressions[assign->value].node);
+        if (sum == nullptr || sum->operation != Operation::add) return false;
+        const auto operands = program.operands_of(*sum);
+        const bool has_base = std::ranges::any_of(operands, [&](ExpressionId operand) {
+            const auto* literal = std::get_if<Literal>(&program.expressions[operand].node);
+            return literal != nullptr && literal->value >= first_common && !literal->decimal_point;
+        });
+        if (!has_base) return false;
+        ++sums;
+    }
+    return sums == 1;
+}
+
 } // namespace
+
+std::vector<ExpressionId> find_numbers_compared(const Program& program) {
+    std::vector<ExpressionId> found;
+    const auto indexes = variables_of_indexes(program);
+    if (indexes.empty()) return found;
+    const auto is_index = [&](ExpressionId id) {
+        const auto* load = std::get_if<Load>(&program.expressions[id].node);
+        return load != nullptr && indexes.contains({load->variable.space, load->variable.number});
+    };
+    const auto is_number = [&](ExpressionId id) {
+        const auto* load = std::get_if<Load>(&program.expressions[id].node);
+        return load != nullptr && holds_a_number_only(program, load->variable);
+    };
+    for (ExpressionId id = 0; id < program.expressions.size(); ++id) {
+        const auto* apply = std::get_if<Apply>(&program.expressions[id].node);
+        if (apply == nullptr || !semantics::is_comparison(apply->operation)) continue;
+        const auto operands = program.operands_of(*apply);
+        if (std::ranges::any_of(operands, is_index) && std::ranges::all_of(operands, is_number))
+            found.push_back(id);
+    }
+    return found;
+}
 
 std::vector<NumberForValue> find_numbers_for_values(const Program& program) {
     std::vector<NumberForValue> found;

@@ -29,4 +29,9 @@ struct NumberForValue {
 /// of their local variables by index otherwise. In text order.
 [[nodiscard]] std::vector<NumberForValue> find_numbers_for_values(const Program& program);
 
+/// Comparisons of two variables that hold nothing but numbers of variables: `#1=700+#20`, `#2=800+#20`,
+/// `#[#1]=#[#1]+1`, `IF[#1LT#2]`. Each of the two is set once, to a sum with such a number, so that nothing
+/// counts it, and one is an index elsewhere. In the order of the expressions.
+[[nodiscard]] std::vector<ExpressionId> find_numbers_compared(const Program& program);
+
 } // namespace maclint::rules

@@ -36,17 +36,17 @@ TEST(Functions, ThatTheNamedControlLacksStopIt) {
     EXPECT_THAT(lacking_found("G0 X[#1MOD#2]", "fanuc-16i"), ElementsAre("warning MAC124"));
     EXPECT_THAT(lacking_found("G0 X[LN[2]]", "haas"), ElementsAre("warning MAC124"));
     EXPECT_THAT(lacking_found("G0 X[EXP[#1]]", "fanuc-16i"), IsEmpty());
-    for (const char* block : {"G0 X[POW[#1,3]]", "G0 X[#1MOD3]", "G0 X[ATAN[#1]]", "G0 X[ATAN[#1,#2]]"}) {
+    for (const char* block : {"G0 X[POW[#1,3]]", "G0 X[#1MOD3]", "G0 A[ATAN[#1]]", "G0 A[ATAN[#1,#2]]"}) {
         EXPECT_THAT(lacking_found(block, "fanuc-30i"), IsEmpty()) << block;
         EXPECT_THAT(lacking_found(block, "fanuc"), IsEmpty()) << block;
     }
 }
 
 TEST(Forms, OfFunctionsDiffer) {
-    EXPECT_THAT(lacking_found("G0 X[ATAN[#1,#2]]", "fanuc-16i"), ElementsAre("error MAC124"));
-    EXPECT_THAT(lacking_found("G0 X[ATAN[#1]]", "fanuc-16i"), ElementsAre("warning MAC124"));
-    EXPECT_THAT(lacking_found("G0 X[ATAN[#1]/[2]]", "fanuc-16i"), IsEmpty());
-    EXPECT_THAT(lacking_found("G0 X[ATAN[#1]]", "haas"), IsEmpty());
+    EXPECT_THAT(lacking_found("G0 A[ATAN[#1,#2]]", "fanuc-16i"), ElementsAre("error MAC124"));
+    EXPECT_THAT(lacking_found("G0 A[ATAN[#1]]", "fanuc-16i"), ElementsAre("warning MAC124"));
+    EXPECT_THAT(lacking_found("G0 A[ATAN[#1]/[2]]", "fanuc-16i"), IsEmpty());
+    EXPECT_THAT(lacking_found("G0 A[ATAN[#1]]", "haas"), IsEmpty());
 }
 
 TEST(Conditions, CompareOnAFanucAndNeedNotOnAHaas) {

@@ -23,6 +23,7 @@ bool leads_away(const Counter& counter, const dataflow::Step& step, double amoun
 
 StepFault fault_of(const ProgramAnalysis& analysis, const Counter& counter, const dataflow::Step& step) {
     const dataflow::Value& amount = step.amount;
+    if (call_that_leads_away(analysis, counter, step)) return StepFault::wrong_sign_passed;
     if (amount.vacancy_origin != 0 && amount.can_be(0))
         return is_owed_to_unset_variable(analysis, amount) ? StepFault::none : StepFault::vacant;
     const auto constant = amount.constant();
@@ -41,6 +42,15 @@ StepFault fault_of_all(const ProgramAnalysis& analysis, const Counter& counter) 
 }
 
 } // namespace
+
+std::optional<PassedValue> call_that_leads_away(const ProgramAnalysis& analysis, const Counter& counter,
+                                                const dataflow::Step& step) {
+    if (step.amount.constant() || !counter.clamps.empty()) return std::nullopt;
+    return value_for_a_call(analysis, step.amount, [&](const PassedValue& passed) {
+        return passed.number != 0 && !passed.left_out && step.amount.can_be(passed.number) &&
+               leads_away(counter, step, passed.number);
+    });
+}
 
 std::vector<EndlessCounter> find_endless_counters(const ProgramAnalysis& analysis) {
     std::vector<EndlessCounter> found;

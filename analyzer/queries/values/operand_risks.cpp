@@ -109,27 +109,6 @@ bool is_set_by_others(const ProgramAnalysis& analysis, Variable variable) {
     });
 }
 
-/// Whether the number that the call passes there is known to be another than 0.
-bool is_never_zero(const ProgramAnalysis& calling, EffectId call, ExpressionId passed) {
-    if (const auto* literal = std::get_if<Literal>(&calling.program().expressions[passed].node))
-        return literal->value != 0;
-    return std::ranges::any_of(calling.facts().at<dataflow::Read>(call), [&](const dataflow::Read& read) {
-        return read.expression == passed && !read.value.can_be(0);
-    });
-}
-
-/// Whether callers are known, and each passes another number than 0.
-bool is_never_passed_as_zero(const ProgramAnalysis& analysis, Variable variable) {
-    return !analysis.callers().empty() && std::ranges::all_of(analysis.callers(), [&](const Caller& caller) {
-        const ProgramAnalysis& calling = calling_program(analysis, caller);
-        const auto arguments = calling.program().arguments_of(call_of(calling.program(), caller.effect));
-        return std::ranges::any_of(arguments, [&](const Argument& argument) {
-            return bound_to(argument, &analysis.program()) == variable &&
-                   is_never_zero(calling, caller.effect, argument.value);
-        });
-    });
-}
-
 /// The nodes to which the program can come before it first comes to that one.
 std::vector<bool> reached_without(const ProgramAnalysis& analysis, flow::NodeId node) {
     std::vector<bool> reached(analysis.graph().nodes.size(), false);
@@ -243,24 +222,15 @@ std::optional<OperandRisk> OperandRisks::shown_by_call(const Application& applic
     const Value& operand = application.right;
     const GivenVariables given = given_variables(analysis_, operand);
     if (!given.closed || given.variables.empty()) return std::nullopt;
-    for (const Caller& caller : analysis_.callers()) {
-        if (!Budget::allows()) return std::nullopt;
-        const ProgramAnalysis& calling = calling_program(analysis_, caller);
-        const auto node = calling.graph().node_of(caller.effect);
-        if (caller.program == analysis_.index() || !node || !calling.data().reached(*node) ||
-            calling.control().calls[call_of(calling.program(), caller.effect).kind].frame != Frame::fresh)
-            continue;
-        const auto passed = value_for(analysis_, caller, operand);
-        if (!passed || !fails(application.operation, passed->number) || !operand.can_be(passed->number))
-            continue;
-        if (passed->left_out && contains(asked_, *passed->left_out)) continue; // it does not come here
-        if (!is_on_every_path(analysis_, application.node)) return std::nullopt;
-        return OperandRisk{passed->left_out ? OperandRisk::Evidence::left_out : OperandRisk::Evidence::passed,
-                           passed->left_out.value_or(given.variables.front()),
-                           &caller,
-                           {}};
-    }
-    return std::nullopt;
+    const auto passed = value_for_a_call(analysis_, operand, [&](const PassedValue& value) {
+        return fails(application.operation, value.number) && operand.can_be(value.number) &&
+               !(value.left_out && contains(asked_, *value.left_out)); // such a call does not come here
+    });
+    if (!passed || !is_on_every_path(analysis_, application.node)) return std::nullopt;
+    return OperandRisk{passed->left_out ? OperandRisk::Evidence::left_out : OperandRisk::Evidence::passed,
+                       passed->left_out.value_or(given.variables.front()),
+                       passed->call,
+                       {}};
 }
 
 /// Whether the variable is compared with anything but the counter of a loop.

@@ -5,6 +5,7 @@
 #include "analyzer/queries/paths/feasible_paths.hpp"
 #include "analyzer/workspace/program_analysis.hpp"
 
+#include <functional>
 #include <optional>
 #include <unordered_map>
 #include <vector>
@@ -44,10 +45,19 @@ class ZeroSources {
 struct PassedValue {
     double number;
     std::optional<Variable> left_out; ///< an argument in it that the call leaves out, and that counts as 0
+    const Caller* call;               ///< that passes it, or the first of those that hand it on
 };
 
-/// What the value is when that call begins the program; nothing where more than numbers of the call decides.
-[[nodiscard]] std::optional<PassedValue> value_for(const ProgramAnalysis& analysis, const Caller& caller,
-                                                   const dataflow::Value& value);
+/// What the value is for the first known call that opens locals of its own, and for which it is `wanted`;
+/// nothing where more than numbers of calls decides. What the calling program hands on as it was given it is
+/// a number of its own callers, through three further calls, each on every path of its program.
+[[nodiscard]] std::optional<PassedValue>
+value_for_a_call(const ProgramAnalysis& analysis, const dataflow::Value& value,
+                 const std::function<bool(const PassedValue&)>& wanted);
+
+/// Whether callers are known, and each passes another number than 0, or hands on what its own callers pass.
+[[nodiscard]] bool is_never_passed_as_zero(const ProgramAnalysis& analysis, Variable variable);
+/// The same of a value, which is false where it is no argument as it was passed.
+[[nodiscard]] bool is_never_passed_as_zero(const ProgramAnalysis& analysis, const dataflow::Value& value);
 
 } // namespace maclint::queries

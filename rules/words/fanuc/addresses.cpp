@@ -10,6 +10,7 @@ constexpr RowAlarm minus[] = {{of_16i, "006"}, {of_30i, "006"}};
 constexpr RowAlarm digits[] = {{of_16i, "003"}, {of_30i, "003"}};
 
 constexpr TableText named = "fanuc-16i fanuc-0i-c fanuc-0i-d fanuc-30i";
+constexpr TableText any_fanuc = "fanuc fanuc-16i fanuc-0i-c fanuc-0i-d fanuc-30i";
 constexpr TableText of_haas = "haas haas-1999";
 using enum Severity;
 
@@ -25,6 +26,7 @@ constexpr AddressLine lines[] = {
     {.addresses = "F",   .means = "feed",             .positive = true,                .most_digits = 8, .controls = named,    .severity = error, .source = "CSDN-PS"},
     {.addresses = "X Y Z U V W A B C I J K R Q", .means = "coordinate", .most_digits = 8, .controls = named,    .severity = error, .source = "CSDN-PS"},
     {.addresses = ",A", .means = "angle of a line", .controls = named, .severity = warning, .source = "T"},
+    {.addresses = "G",   .means = "code", .most_digits = 4, .controls = any_fanuc, .severity = warning, .source = "T"},
     {.addresses = "P",   .means = "number",           .most_digits = 8, .controls = named, .severity = error, .source = "CSDN-PS"},
     {.addresses = "F",   .means = "feed",             .positive = true,                                 .controls = of_haas,  .severity = warning, .source = "T"},
     {.addresses = "M",   .means = "machine function", .positive = true,                                 .controls = of_haas,  .severity = warning, .source = "T"},
