@@ -34,6 +34,7 @@ class Limit {
                 stepper.run(block, words, state);
                 if (state.all[of].is_surely_on()) on_.emplace(block.span.begin, block.span);
                 if (state.all[of].is_surely_off()) ends_.emplace(block.span.begin, block.span);
+                if (state.all[of].can_be == machine::Switched::unknown) may_end_.push_back(block.span);
             });
     }
 
@@ -63,13 +64,16 @@ class Limit {
     using Blocks = std::map<Offset, Span>;
 
     /// The limit that is still on where the control comes to the node on a way around all blocks that end it,
-    /// and around all calls, which may.
+    /// or may (G103 P#1), and around all calls, which may.
     [[nodiscard]] Blocks::const_iterator passed_over_ends(flow::NodeId node) const {
         const flow::Graph& graph = analysis_.graph();
         if (ends_.empty()) return on_.end();
         std::vector<flow::NodeId> barred;
-        for (const auto& [begin, block] : ends_)
+        const auto bar = [&](Span block) {
             if (const auto ending = graph.node_of(block)) barred.push_back(*ending);
+        };
+        for (const auto& [begin, block] : ends_) bar(block);
+        std::ranges::for_each(may_end_, bar);
         for (const flow::NodeId with : graph.with_effects)
             if (std::ranges::any_of(analysis_.program().effects_in(graph.nodes[with].effects), calls))
                 barred.push_back(with);
@@ -94,7 +98,8 @@ class Limit {
     const ProgramAnalysis& analysis_;
     std::size_t of_;
     const machine::SwitchesOfChannel& switches_;
-    std::map<Offset, Span> on_, ends_;
+    Blocks on_, ends_;
+    std::vector<Span> may_end_;
 };
 
 } // namespace

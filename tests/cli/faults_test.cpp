@@ -3,7 +3,6 @@
 #include "tests/support/lines.hpp"
 #include "tests/support/sanitized.hpp"
 
-#include <algorithm>
 #include <csignal>
 #include <filesystem>
 
@@ -291,9 +290,9 @@ std::string wide_program(int number) {
     std::string text = "%\nO" + std::to_string(number) + "\n";
     for (int i = 1; i < 400; ++i)
         text += "N" + std::to_string(i) + "#" + std::to_string(i % 900 + 1) + "=#" +
-                std::to_string(i * 7 % 900 + 1) + "+" + std::to_string(i) + "\nIF[#" +
-                std::to_string(i % 33 + 1) + "EQ" + std::to_string(i) + "]GOTO" +
-                std::to_string(std::min(i + 2, 400)) + "\n";
+                std::to_string(i * 7 % 900 + 1) + "+" + std::to_string(i) + ".\nIF[#" +
+                std::to_string(i % 33 + 1) + "EQ" + std::to_string(i) + "]GOTO" + std::to_string(i + 1) +
+                "\n(ON)\n";
     return text + "N400M30\n%\n";
 }
 

@@ -43,7 +43,7 @@ TEST(EqualBranches, DifferInAnything) {
 
 TEST(EqualBranches, AreNoneThatOnlyLeave) {
     EXPECT_THAT(equal("G0X#24\nIF[#1EQ1]GOTO4\nM99\nN4"), IsEmpty());
-    EXPECT_THAT(equal("IF[#1EQ1]GOTO4\nN4G0X#24\n"),
+    EXPECT_THAT(equal("IF[#1EQ2]GOTO5\nIF[#1EQ1]GOTO4\nN4G0X#24\nN5"),
                 IsEmpty()); // the last test of a list goes on to its case
 }
 
