@@ -134,7 +134,8 @@ std::string meaning_of_rule(std::string_view word) {
         const Rule& rule = *one.rule;
         add(text, "**" + std::string(rule.code) + "** " + std::string(rule.name) + ": " +
                       summary_sentence(rule) + "\n\n" + std::string(rule.why));
-        if (const std::string url = page_url(rule); !url.empty()) text += "\n\n[" + url + "](" + url + ")";
+        if (const std::string url = page_url(rule); !url.empty())
+            text.append("\n\n[").append(url).append("](").append(url).append(")");
     }
     return text;
 }
