@@ -44,6 +44,8 @@ TEST(RoundsSetAgain, NeverEndOnceTheyComeBack) {
     EXPECT_THAT(rounds("GOTO1", "#500=#500+1", "#10=#10+#500\n"), IsEmpty());
     EXPECT_THAT(rounds("GOTO1", "IF[#5001GT100.]GOTO80"), IsEmpty()) << "a position ends it";
     EXPECT_THAT(rounds("GOTO1", "G65P9999"), IsEmpty()) << "nobody knows what O9999 does";
+    EXPECT_THAT(rounds("GOTO1", "#10=#10+1", "IF[#5001GT100.]THEN#3000=1(END)\n"), IsEmpty())
+        << "an alarm ends it";
     EXPECT_THAT(rounds("GOTO1", "#10=#10+1", "IF[#11EQ1]GOTO2\n#11=1\n"), ElementsAre(8));
     EXPECT_THAT(lines_raised("MAC319",
                              "O9001\nN1IF[#11EQ1]GOTO2\n#10=0\n#11=1\nN2IF[#10GE#1]GOTO80\nG91G0X#2\n"
@@ -171,6 +173,8 @@ TEST(JumpsToTheNextBlock, DecideNothing) {
     EXPECT_THAT(told("IF[#1GT50]GOTO10\nIF[#1001EQ0]GOTO20\nN20"), ElementsAre(HasSubstr("'[#1001EQ0]'")));
     EXPECT_THAT(told("IF[#1001EQ0]GOTO20\n(OWN STOP HERE)\nN20"), IsEmpty());
     EXPECT_THAT(told("IF[#1001EQ0]GOTO20\nG0X1.\nN20"), IsEmpty());
+    EXPECT_THAT(told("IF[#1GT50]GOTO20\nG0X1.\nIF[#1001EQ0]GOTO20\nN20"), IsEmpty())
+        << "others come there, too";
 }
 
 TEST(NumbersOfVariables, AreNotComparedForWhatTheyHold) {
