@@ -79,7 +79,7 @@ class Rounds {
 } // namespace
 
 std::optional<SetAgain> set_again(const ProgramAnalysis& analysis, const dataflow::Loop& loop) {
-    if (loop.has_unknown_effects || loop.can_stop || loop.exit_edges.empty()) return std::nullopt;
+    if (loop.exit_edges.empty()) return std::nullopt;
     const Rounds rounds(analysis, loop);
     std::optional<SetAgain> found;
     for (const flow::EdgeId id : loop.exit_edges) {
