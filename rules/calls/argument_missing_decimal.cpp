@@ -89,8 +89,7 @@ const Word* word_that_moves(const ProgramAnalysis& called, Variable variable, st
             std::ranges::upper_bound(program.words, at, {}, [](const Word& word) { return word.span.begin; });
         if (after == program.words.begin()) continue;
         const Word& word = *(after - 1);
-        if (is_all_of(program, word, read.expression) &&
-            lengths.find(word.address) != std::string_view::npos)
+        if (is_all_of(program, word, read.expression) && lengths.find(word.address) != std::string_view::npos)
             return &word;
     }
     return nullptr;
