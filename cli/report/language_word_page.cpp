@@ -2,10 +2,9 @@
 #include "cli/report/language_word_page.hpp"
 
 #include "analyzer/program/language_words.hpp"
-#include "cli/report/mentions.hpp"
+#include "cli/report/speaking_rules.hpp"
 #include "cli/text/letters.hpp"
 #include "rules/listed.hpp"
-#include "rules/rule.hpp"
 
 #include <algorithm>
 #include <vector>
@@ -32,18 +31,6 @@ void add_cycle(PlainPage& page, const LanguageTables& tables, std::string_view n
     }
 }
 
-void add_rules(PlainPage& page, const ControlModel& control, std::string_view name) {
-    bool is_first = true;
-    for (const Rule* rule : all_rules()) {
-        const bool speaks_of_it = mentions_code(rule->summary, name) || mentions_code(rule->why, name);
-        if (!speaks_of_it || !applies_to(*rule, control)) continue;
-        if (is_first) page.add_heading("Rules that speak of it:");
-        is_first = false;
-        page.add_item(std::string(rule->code) + " " + std::string(rule->name) + ": " +
-                      std::string(rule->summary) + ".");
-    }
-}
-
 } // namespace
 
 std::string plain_language_word_page(const Dialect& dialect, std::string_view word, const PageStyle& style) {
@@ -59,7 +46,8 @@ std::string plain_language_word_page(const Dialect& dialect, std::string_view wo
     page.add_title(name, dialect.description);
     page.add(about);
     add_cycle(page, tables, name);
-    add_rules(page, *find_control(dialect.default_control), name);
+    const ControlModel* control = find_control(dialect.default_control);
+    add_speaking_rules(page, name, {&control, 1});
     if (is_word && !row->source.empty()) {
         page.add_heading("Source:");
         page.add_source(row->source);

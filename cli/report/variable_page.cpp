@@ -2,7 +2,7 @@
 #include "cli/report/variable_page.hpp"
 
 #include "analyzer/dialect/dialect.hpp"
-#include "cli/report/mentions.hpp"
+#include "cli/report/speaking_rules.hpp"
 #include "rules/listed.hpp"
 
 #include <algorithm>
@@ -83,21 +83,6 @@ VariablePage page_on(const ControlModel& control, const VariableRange& range, st
     return page;
 }
 
-void add_rules(PlainPage& out, std::int64_t number, const std::vector<const ControlModel*>& on) {
-    const std::string name = "#" + std::to_string(number);
-    bool is_first = true;
-    for (const Rule* rule : all_rules()) {
-        if (!mentions_code(rule->summary, name) && !mentions_code(rule->why, name)) continue;
-        if (std::ranges::none_of(on,
-                                 [&](const ControlModel* control) { return applies_to(*rule, *control); }))
-            continue;
-        if (is_first) out.add_heading("Rules that speak of it:");
-        is_first = false;
-        out.add_item(std::string(rule->code) + " " + std::string(rule->name) + ": " +
-                     std::string(rule->summary) + ".");
-    }
-}
-
 std::string names_of(const std::vector<const ControlModel*>& on) {
     std::vector<std::string> names;
     for (const ControlModel* control : on) names.push_back(control->name);
@@ -158,7 +143,7 @@ std::string plain_variable_pages(std::int64_t number, const ControlModel* only, 
                                                             : names_of(on));
         out.add_heading("What it is:");
         for (const std::string& line : page.lines) out.add_item(line);
-        add_rules(out, number, on);
+        add_speaking_rules(out, "#" + std::to_string(number), on);
         out.add_heading("Source:");
         out.add_source(page.source);
         text += (text.empty() ? "" : "\n") + out.take();

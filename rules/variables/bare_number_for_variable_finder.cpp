@@ -2,6 +2,7 @@
 #include "rules/variables/bare_number_for_variable_finder.hpp"
 
 #include "analyzer/program/block_view.hpp"
+#include "analyzer/program/indices.hpp"
 #include "analyzer/program/tables.hpp"
 
 #include <algorithm>
@@ -98,12 +99,7 @@ void mark(const Program& program, ExpressionId id, std::vector<bool>& marked) {
 /// Those in brackets that name a variable by its number.
 std::vector<bool> indexes(const Program& program) {
     std::vector<bool> marked(program.expressions.size(), false);
-    for (const Expression& expression : program.expressions)
-        if (const auto* load = std::get_if<LoadAt>(&expression.node)) mark(program, load->index, marked);
-    for (const Effect& effect : program.effects)
-        if (const auto* assign = std::get_if<Assign>(&effect.what))
-            if (const auto* store = std::get_if<StoreAt>(&assign->target))
-                mark(program, store->index, marked);
+    for_each_index(program, [&](ExpressionId index) { mark(program, index, marked); });
     return marked;
 }
 

@@ -1,6 +1,7 @@
 //! Looks into the indices of a program.
 #include "rules/variables/value_for_number_finder.hpp"
 
+#include "analyzer/program/indices.hpp"
 #include "analyzer/program/tables.hpp"
 #include "analyzer/program/whole_number.hpp"
 #include "analyzer/semantics/concrete.hpp"
@@ -102,15 +103,10 @@ const LoadAt* indexed(const Program& program, ExpressionId id) {
 /// The variables that are all of an index.
 std::set<std::pair<SpaceId, std::int32_t>> variables_of_indexes(const Program& program) {
     std::set<std::pair<SpaceId, std::int32_t>> found;
-    const auto look_at = [&](ExpressionId index) {
+    for_each_index(program, [&](ExpressionId index) {
         if (const auto* load = std::get_if<Load>(&program.expressions[index].node))
             found.emplace(load->variable.space, load->variable.number);
-    };
-    for (const Expression& expression : program.expressions)
-        if (const auto* load = std::get_if<LoadAt>(&expression.node)) look_at(load->index);
-    for (const Effect& effect : program.effects)
-        if (const auto* assign = std::get_if<Assign>(&effect.what))
-            if (const auto* store = std::get_if<StoreAt>(&assign->target)) look_at(store->index);
+    });
     return found;
 }
 
@@ -176,14 +172,9 @@ std::vector<NumberForValue> find_numbers_for_values(const Program& program) {
 
 std::vector<ValueForNumber> find_values_for_numbers(const Program& program) {
     std::vector<ValueForNumber> found;
-    const auto look_at = [&](ExpressionId index) {
+    for_each_index(program, [&](ExpressionId index) {
         if (const auto value = value_in(program, index)) found.push_back({index, *value});
-    };
-    for (const Expression& expression : program.expressions)
-        if (const auto* load = std::get_if<LoadAt>(&expression.node)) look_at(load->index);
-    for (const Effect& effect : program.effects)
-        if (const auto* assign = std::get_if<Assign>(&effect.what))
-            if (const auto* store = std::get_if<StoreAt>(&assign->target)) look_at(store->index);
+    });
     return found;
 }
 

@@ -3,6 +3,7 @@
 
 #include "analyzer/program/block_view.hpp"
 #include "analyzer/program/tables.hpp"
+#include "analyzer/program/whole_number.hpp"
 #include "cli/text/letters.hpp"
 
 #include <algorithm>
@@ -138,8 +139,7 @@ class Visitor {
 /// "12" of "T0012", "DRILL" of `T="DRILL"`.
 std::string tool_in(const Program& program, const Word& word) {
     if (const auto* literal = std::get_if<Literal>(&word.value))
-        if (literal->value == std::floor(literal->value) && std::abs(literal->value) < 1e15)
-            return std::to_string(static_cast<std::int64_t>(literal->value));
+        if (const auto number = whole_number(literal->value)) return std::to_string(*number);
     const std::string_view text = program.slice(word.span);
     const std::size_t begin = std::min(text.find_first_not_of("Tt= \t\"[("), text.size());
     const std::size_t last = text.find_last_not_of(" \t\"])");
