@@ -136,7 +136,8 @@ TEST_F(Explain, TellsWhatAVariableIs) {
     EXPECT_THAT(page({"#3"}), AllOf(HasSubstr("argument C of a macro call"), HasSubstr("may be written")));
     EXPECT_THAT(page({"#5042", "--control", "fanuc-16i"}), HasSubstr("that of the axis of Y or V or Z or W"));
     EXPECT_THAT(page({"#5042", "--control", "fanuc-16i-lathe"}), HasSubstr("(fanuc-16i-lathe)"));
-    EXPECT_THAT(page({"#3000"}), HasSubstr("writing it stops the program with an alarm"));
+    EXPECT_THAT(page({"#3000"}), AllOf(HasSubstr("writing it stops the program with an alarm"),
+                                       HasSubstr("\nRules that speak of it:\n")));
     EXPECT_THAT(page({"#50"}), HasSubstr("no control that is known has it"));
 }
 
