@@ -160,9 +160,7 @@ void for_each_mention(const Program& program, const std::function<void(const Men
 
 void for_each_tool(const Program& program, const std::function<void(const Mention&)>& visit) {
     const auto tool = addresses_named(program, "T");
-    const auto holds_tool = [&](const WordSummary& words) {
-        return words.addresses.common(tool) != syntax::AddressSet();
-    };
+    const auto holds_tool = [&](const WordSummary& words) { return !words.addresses.common(tool).empty(); };
     for_each_block_with_words(
         program, holds_tool,
         [&](const BlockView& /*block*/, std::span<const Word> words, const auto& /*summary*/) {
