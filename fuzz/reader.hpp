@@ -11,16 +11,18 @@
 #include <memory>
 #include <span>
 #include <variant>
+#include <vector>
 
 namespace maclint::fuzz {
 
-inline FileOutline outline_for_calls(const ProgramFile& file) {
-    FileOutline outline = outline_of(file);
-    for (ProgramOutline& program : outline.programs) // a call without a program connects nothing
+inline std::vector<ProgramOutline> outlines_for_calls(const ProgramFile& file) {
+    const FileOutline outline = outline_of(file);
+    std::vector<ProgramOutline> programs(outline.programs.begin(), outline.programs.end());
+    for (ProgramOutline& program : programs) // a call without a program connects nothing
         std::erase_if(program.calls, [](const CallOutline& call) {
             return std::holds_alternative<std::monostate>(call.program);
         });
-    return outline;
+    return programs;
 }
 
 inline void require_inside(const ProgramFile& file, Span span) {
@@ -46,8 +48,8 @@ inline void read_whole(std::string_view text, const Dialect& dialect, const Cont
             "an error begins before the one before it");
     require(describe(file) == describe(dialect.read(source, control, Extent::whole)),
             "a text is read in two ways");
-    require(outline_for_calls(file) ==
-                outline_for_calls(dialect.read(source, control, Extent::names_and_calls)),
+    require(outlines_for_calls(file) ==
+                outlines_for_calls(dialect.read(source, control, Extent::names_and_calls)),
             "a glance finds other names and calls");
 }
 

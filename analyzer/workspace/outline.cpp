@@ -52,9 +52,10 @@ ProgramOutline outline_of(const Program& program) {
 } // namespace
 
 FileOutline outline_of(const ProgramFile& file) {
-    FileOutline outline{file.source->path(), {}};
-    for (const Program& program : file.programs) outline.programs.push_back(outline_of(program));
-    return outline;
+    std::vector<ProgramOutline> programs;
+    programs.reserve(file.programs.size());
+    for (const Program& program : file.programs) programs.push_back(outline_of(program));
+    return {file.source->path(), ProgramOutlines(std::move(programs))};
 }
 
 } // namespace maclint

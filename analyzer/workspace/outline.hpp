@@ -4,10 +4,15 @@
 #include "analyzer/program/call_kinds.hpp"
 #include "analyzer/program/model.hpp"
 
+#include <algorithm>
+#include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -41,9 +46,32 @@ struct ProgramOutline {
     friend bool operator==(const ProgramOutline&, const ProgramOutline&) = default;
 };
 
+/// Of all programs of a file. Copies share them: a folder has thousands, of which an edit changes one.
+class ProgramOutlines {
+  public:
+    ProgramOutlines() = default;
+    explicit ProgramOutlines(std::vector<ProgramOutline> programs)
+        : shared_(std::make_shared<const std::vector<ProgramOutline>>(std::move(programs))) {}
+
+    [[nodiscard]] auto begin() const { return all().begin(); }
+    [[nodiscard]] auto end() const { return all().end(); }
+    [[nodiscard]] std::size_t size() const { return all().size(); }
+    [[nodiscard]] const ProgramOutline& operator[](std::size_t place) const { return (*shared_)[place]; }
+    friend bool operator==(const ProgramOutlines& one, const ProgramOutlines& other) {
+        return one.shared_ == other.shared_ || std::ranges::equal(one, other);
+    }
+
+  private:
+    [[nodiscard]] std::span<const ProgramOutline> all() const {
+        return shared_ == nullptr ? std::span<const ProgramOutline>() : *shared_;
+    }
+
+    std::shared_ptr<const std::vector<ProgramOutline>> shared_;
+};
+
 struct FileOutline {
     std::string path;
-    std::vector<ProgramOutline> programs;
+    ProgramOutlines programs;
     friend bool operator==(const FileOutline&, const FileOutline&) = default;
 };
 

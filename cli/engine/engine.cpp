@@ -6,24 +6,21 @@
 #include "analyzer/source/platform/files.hpp"
 #include "analyzer/source/platform/paths.hpp"
 #include "analyzer/workspace/analyse_until.hpp"
-#include "analyzer/workspace/groups.hpp"
 #include "analyzer/workspace/parallel.hpp"
 #include "analyzer/workspace/program_analysis.hpp"
 #include "analyzer/workspace/workspace.hpp"
 #include "cli/engine/bounds.hpp"
-#include "cli/engine/computed_calls.hpp"
-#include "cli/engine/definitions.hpp"
+#include "cli/engine/connections.hpp"
 #include "cli/engine/other_control.hpp"
-#include "cli/engine/own_macros.hpp"
 #include "cli/engine/read.hpp"
 #include "cli/engine/row_choice.hpp"
-#include "cli/engine/same_numbers.hpp"
 #include "rules/finding_order.hpp"
 
 #include <algorithm>
 #include <atomic>
 #include <iterator>
 #include <new>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <unordered_set>
@@ -38,21 +35,21 @@ constexpr std::size_t long_text = 256UL * 1024;
 /// So many bytes of shorter texts are read once, too: with their programs they take ten times as much.
 constexpr std::size_t short_texts = 16UL * 1024 * 1024;
 
-using Group = std::vector<std::size_t>; ///< places in the snapshot
-
 /// The work on one snapshot.
 class Run {
   public:
     Run(const Snapshot& snapshot, const EngineOptions& options, Progress& progress, ProgramStore& store,
-        OutlineStore& outlines, const std::stop_token& stop)
+        OutlineStore& outlines, std::shared_ptr<const Connections> connections, const std::stop_token& stop)
         : snapshot_(snapshot)
         , options_(options)
         , progress_(progress)
         , store_(store)
         , outlines_(outlines)
+        , connections_(std::move(connections))
         , stop_(stop)
         , rows_(snapshot)
         , seen_(snapshot.files.size())
+        , stamps_(snapshot.files.size())
         , controls_(snapshot.files.size()) {}
 
     Result run() {
@@ -77,6 +74,7 @@ class Run {
 
     /// At files of which nothing was known.
     [[nodiscard]] std::size_t looks() const { return looks_; }
+    [[nodiscard]] const std::shared_ptr<const Connections>& connections() const { return connections_; }
 
   private:
     template<class Work>
@@ -91,7 +89,7 @@ class Run {
         const Stopwatches::Running running(watches_.reading);
         const SnapshotFile& file = snapshot_.files[place];
         if (options_.kept_bytes == 0 || file.input.asked || file.text) return look_anew_at(place);
-        const auto stamp = platform::settled_stamp_of(platform::path_of(file.input.path));
+        const auto stamp = stamps_[place] = platform::settled_stamp_of(platform::path_of(file.input.path));
         if (auto kept = outlines_.find(file, stamp)) {
             seen_[place] = *std::move(kept);
             return;
@@ -135,16 +133,13 @@ class Run {
         std::vector<FileOutline> outlines;
         outlines.reserve(seen_.size());
         for (SeenFile& seen : seen_) outlines.push_back(std::move(seen.outline));
-        computed_calls_ = ComputedCalls(snapshot_, outlines);
-        same_numbers_ = SameNumbers(snapshot_, outlines);
-        own_macros_ = OwnMacros(snapshot_, outlines);
-        definitions_ = Definitions(snapshot_, outlines);
-        auto groups = groups_of(outlines);
-        std::erase_if(groups, [&](const Group& group) {
-            return std::ranges::none_of(
+        if (connections_ == nullptr || !connections_->hold_for(snapshot_, outlines))
+            connections_ = std::make_shared<const Connections>(snapshot_, std::move(outlines));
+        std::vector<Group> groups;
+        std::ranges::copy_if(connections_->groups(), std::back_inserter(groups), [&](const Group& group) {
+            return std::ranges::any_of(
                 group, [&](std::size_t i) { return snapshot_.files[i].input.asked && is_linted(i); });
         });
-        std::ranges::stable_sort(groups, std::ranges::greater(), &Group::size);
         return groups;
     }
 
@@ -209,14 +204,15 @@ class Run {
                 std::ranges::move(other_control(*programs, *seen_[i].read.dialect),
                                   std::back_inserter(findings));
             if (file.input.asked)
-                std::ranges::move(same_numbers_.findings_in(i, *programs), std::back_inserter(findings));
+                std::ranges::move(connections_->same_numbers().findings_in(i, *programs),
+                                  std::back_inserter(findings));
             if (seen_[i].read.not_nc)
                 std::ranges::move(not_nc(*programs, *seen_[i].read.not_nc), std::back_inserter(findings));
             else
                 members.push_back({programs, file.input.asked, file.settings.complete,
-                                   computed_calls_.may_mean(file, programs->control->language),
-                                   own_macros_.lie_by(file, programs->control->language),
-                                   definitions_.names_for(file, programs->control->language)});
+                                   connections_->computed_calls().may_mean(file, programs->control->language),
+                                   connections_->own_macros().lie_by(file, programs->control->language),
+                                   connections_->definitions().names_for(file, programs->control->language)});
         }
         const Selection selection = selection_of(rules);
         std::ranges::move(find_in(std::move(members), selection, jobs), std::back_inserter(findings));
@@ -283,13 +279,15 @@ class Run {
         ReadFile& read = seen_[place].read;
         if (read.dialect == nullptr || read.file != nullptr) return std::exchange(read.file, nullptr);
         const SnapshotFile& file = snapshot_.files[place];
+        const ProgramStore::Reading reading{read.dialect, read.control, file.settings.configuration};
         std::shared_ptr<const Source> source = read.source;
         if (source == nullptr) {
+            if (auto kept = store_.find(file.input.path, stamps_[place], reading)) return kept;
             auto opened = open_file(file);
             if (std::holds_alternative<Notice>(opened)) return nullptr;
             source = std::make_shared<const Source>(std::get<Source>(std::move(opened)));
         }
-        auto programs = store_.read(source, *read.dialect, *read.control, file.settings.configuration);
+        auto programs = store_.read(source, reading, stamps_[place]);
         if (read.source != nullptr) read.source = programs->source; // that of the findings
         return programs;
     }
@@ -328,16 +326,14 @@ class Run {
     Progress& progress_;
     ProgramStore& store_;
     OutlineStore& outlines_;
+    std::shared_ptr<const Connections> connections_; ///< of the last snapshot, then of this
     const std::stop_token& stop_;
     RowChoice rows_;
-    std::vector<SeenFile> seen_;           ///< by place in the snapshot
-    std::vector<std::string> controls_;    ///< that files were checked for, as above
-    std::atomic<std::size_t> looks_ = 0;   ///< at files of which nothing was known
-    std::atomic<std::size_t> at_once_ = 0; ///< bytes of texts that were asked for
-    ComputedCalls computed_calls_;
-    SameNumbers same_numbers_;
-    OwnMacros own_macros_;
-    Definitions definitions_;
+    std::vector<SeenFile> seen_;                             ///< by place in the snapshot
+    std::vector<std::optional<platform::FileStamp>> stamps_; ///< as above: of files that need not be opened
+    std::vector<std::string> controls_;                      ///< that files were checked for, as above
+    std::atomic<std::size_t> looks_ = 0;                     ///< at files of which nothing was known
+    std::atomic<std::size_t> at_once_ = 0;                   ///< bytes of texts that were asked for
     Stopwatches watches_;
     Bounds bounds_;
     Result result_;
@@ -346,9 +342,10 @@ class Run {
 } // namespace
 
 Result Engine::analyse(const Snapshot& snapshot, const std::stop_token& stop) {
-    Run run(snapshot, options_, progress_, store_, outlines_, stop);
+    Run run(snapshot, options_, progress_, store_, outlines_, std::move(connections_), stop);
     Result result = run.run();
     looks_ += run.looks();
+    if (options_.kept_bytes > 0) connections_ = run.connections();
     if (result.cancelled) return result; // what was not asked for yet may be in the next snapshot
     store_.drop_unused();
     outlines_.drop_unused();

@@ -1,6 +1,7 @@
 //! From files to judged findings: what the command, the tests and an editor ask for.
 #pragma once
 
+#include "cli/engine/connections.hpp"
 #include "cli/engine/outline_store.hpp"
 #include "cli/engine/program_store.hpp"
 #include "cli/engine/read_as.hpp"
@@ -62,6 +63,7 @@ class Engine {
     Progress& progress_;
     ProgramStore store_;
     OutlineStore outlines_;
+    std::shared_ptr<const Connections> connections_; ///< of the last snapshot
     std::size_t looks_ = 0;
 };
 

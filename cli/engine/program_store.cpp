@@ -7,17 +7,28 @@
 
 namespace maclint::cli {
 
+std::shared_ptr<const ProgramFile> ProgramStore::find(const std::string& path, const Stamp& stamp,
+                                                      const Reading& reading) {
+    if (!stamp) return nullptr;
+    const std::lock_guard lock(mutex_);
+    const auto found = by_path_.find(path);
+    if (found == by_path_.end() || found->second.stamp != stamp || found->second.reading != reading)
+        return nullptr;
+    found->second.used = true;
+    return found->second.file;
+}
+
 std::shared_ptr<const ProgramFile> ProgramStore::read(const std::shared_ptr<const Source>& source,
-                                                      const Dialect& dialect, const ControlModel& control,
-                                                      std::shared_ptr<const Configuration> configuration) {
+                                                      const Reading& reading, const Stamp& stamp) {
     {
         const std::lock_guard lock(mutex_);
         if (const auto found = by_path_.find(source->path()); found != by_path_.end()) {
             Kept& kept = found->second;
             const Source& before = *kept.file->source;
-            if (kept.dialect == &dialect && kept.control == &control && kept.configuration == configuration &&
-                before.encoding() == source->encoding() && before.bytes() == source->bytes()) {
+            if (kept.reading == reading && before.encoding() == source->encoding() &&
+                before.bytes() == source->bytes()) {
                 kept.used = true;
+                kept.stamp = stamp;
                 return kept.file;
             }
             size_ -= before.size();
@@ -25,11 +36,11 @@ std::shared_ptr<const ProgramFile> ProgramStore::read(const std::shared_ptr<cons
         }
         ++reads_;
     }
-    auto file = std::make_shared<const ProgramFile>(dialect.read(source, control, Extent::whole));
+    auto file =
+        std::make_shared<const ProgramFile>(reading.dialect->read(source, *reading.control, Extent::whole));
     const std::lock_guard lock(mutex_);
     if (size_ + source->size() <= capacity_ &&
-        by_path_.try_emplace(source->path(), Kept{file, &dialect, &control, std::move(configuration), true})
-            .second)
+        by_path_.try_emplace(source->path(), Kept{file, reading, stamp}).second)
         size_ += source->size();
     return file;
 }

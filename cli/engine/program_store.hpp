@@ -2,12 +2,14 @@
 #pragma once
 
 #include "analyzer/dialect/dialect.hpp"
+#include "analyzer/source/platform/files.hpp"
 #include "cli/config/configuration.hpp"
 
 #include <cstddef>
 #include <map>
 #include <memory>
 #include <mutex>
+#include <optional>
 #include <string>
 
 namespace maclint::cli {
@@ -20,10 +22,22 @@ class ProgramStore {
     explicit ProgramStore(std::size_t capacity)
         : capacity_(capacity) {}
 
-    /// `control`: as somebody named it, or as the dialect assumes. `configuration` may be nullptr.
+    /// How a text is read. `control`: as somebody named it, or as the dialect assumes. `configuration` may be
+    /// nullptr; it owns the control.
+    struct Reading {
+        const Dialect* dialect;
+        const ControlModel* control;
+        std::shared_ptr<const Configuration> configuration;
+        friend bool operator==(const Reading&, const Reading&) = default;
+    };
+    using Stamp = std::optional<platform::FileStamp>;
+
+    /// What is kept of the file that had the stamp when it was read; nullptr: nothing, it has to be opened.
+    [[nodiscard]] std::shared_ptr<const ProgramFile> find(const std::string& path, const Stamp& stamp,
+                                                          const Reading& reading);
+    /// `stamp` was taken before the file was opened; none of what an editor holds.
     [[nodiscard]] std::shared_ptr<const ProgramFile> read(const std::shared_ptr<const Source>& source,
-                                                          const Dialect& dialect, const ControlModel& control,
-                                                          std::shared_ptr<const Configuration> configuration);
+                                                          const Reading& reading, const Stamp& stamp = {});
     /// Lets go what was not asked for since the last call.
     void drop_unused();
 
@@ -33,10 +47,9 @@ class ProgramStore {
   private:
     struct Kept {
         std::shared_ptr<const ProgramFile> file;
-        const Dialect* dialect;
-        const ControlModel* control;
-        std::shared_ptr<const Configuration> configuration; ///< which owns the control
-        bool used;
+        Reading reading;
+        Stamp stamp;
+        bool used = true;
     };
 
     mutable std::mutex mutex_;

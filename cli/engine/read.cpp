@@ -124,7 +124,7 @@ ReadFile read_source(const SnapshotFile& file, std::shared_ptr<const Source> sou
     read.control = &control_of(file, *read.dialect, detection.control);
     if (read.control->name == detection.control) read.control_reason = detection.control_reason;
     if (read.extent == Extent::whole) {
-        read.file = store.read(read.source, *read.dialect, *read.control, file.settings.configuration);
+        read.file = store.read(read.source, {read.dialect, read.control, file.settings.configuration});
         read.source = read.file->source; // that of the findings
     } else {
         read.file =

@@ -113,7 +113,7 @@ TEST(OwnCodes, SetNothingThatTheyWouldSetElse) {
 TEST(OwnCodes, AreSeenWhereOnlyNamesAndCallsAreRead) {
     const auto calls = [](const ControlModel& control) {
         return outline_of(read("O1\nG81 X1.\nG0 X#1\nM30\n", control, Extent::names_and_calls))
-            .programs.front()
+            .programs[0]
             .calls;
     };
     ASSERT_EQ(calls(machine()).size(), 1U);

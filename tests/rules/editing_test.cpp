@@ -52,12 +52,11 @@ class EditedFolder {
   public:
     explicit EditedFolder(unsigned seed)
         : dice_(seed) {
-        for (const char* kind : {"good", "defects"})
-            for (const auto& entry :
-                 fs::directory_iterator(fs::path(MACLINT_SOURCE_DIR) / "corpus/fanuc" / kind))
-                if (entry.is_regular_file() && entry.path().extension() == ".nc")
-                    write(std::string(kind) + "/" + entry.path().filename().string(),
-                          read_file(entry.path()));
+        const fs::path corpus = fs::path(MACLINT_SOURCE_DIR) / "corpus";
+        for (const char* kind : {"fanuc/good", "fanuc/defects", "dinplus/good", "sinumerik/good"})
+            for (const auto& entry : fs::recursive_directory_iterator(corpus / kind))
+                if (entry.is_regular_file() && entry.path().extension() != ".md")
+                    write(entry.path().lexically_relative(corpus).generic_string(), read_file(entry.path()));
         for (const auto& [name, text] : files_)
             for (std::string& line : lines_of(text)) blocks_.push_back(std::move(line));
     }
@@ -132,8 +131,8 @@ class EditedFolder {
     }
 
     std::string move(const std::string& name) {
-        const std::string other = name.starts_with("good/") ? "moved/" + fs::path(name).filename().string()
-                                                            : "good/" + fs::path(name).filename().string();
+        const std::string other = (name.starts_with("moved/") ? "fanuc/good/" : "moved/") +
+                                  fs::path(name).filename().generic_string();
         if (files_.contains(other)) return name;
         write(other, files_.at(name));
         fs::remove(folder_.path() / name);
@@ -145,7 +144,7 @@ class EditedFolder {
     void configure() {
         static constexpr const char* configurations[] = {R"({"complete": true})", R"({"ignore": ["MAC3"]})",
                                                          R"({"control": "fanuc-30i"})", "{}"};
-        folder_.write(dice_.below(2) == 0 ? ".maclint.json" : "good/.maclint.json",
+        folder_.write(dice_.below(2) == 0 ? ".maclint.json" : "fanuc/good/.maclint.json",
                       configurations[dice_.below(std::size(configurations))]);
         configured_ = true;
     }

@@ -18,7 +18,7 @@ using testing::ElementsAre;
 FileOutline file(std::string path, std::int64_t number, std::initializer_list<std::int64_t> called) {
     ProgramOutline program{.language = "fanuc", .number = number, .names = {}, .calls = {}};
     for (const std::int64_t other : called) program.calls.push_back({other});
-    return {std::move(path), {std::move(program)}};
+    return {std::move(path), ProgramOutlines({std::move(program)})};
 }
 
 TEST(Groups, FilesWithoutCallsStandAlone) {
@@ -46,8 +46,9 @@ TEST(Groups, AllThatMayBeMeantAreTogether) {
 }
 
 TEST(Groups, AComputedCallConnectsNothing) {
-    FileOutline computing = file("a.nc", 1, {});
-    computing.programs[0].calls.push_back({ComputedName{}});
+    ProgramOutline program = file("a.nc", 1, {}).programs[0];
+    program.calls.push_back({ComputedName{}});
+    const FileOutline computing{"a.nc", ProgramOutlines({std::move(program)})};
     EXPECT_THAT(groups_of(std::vector{computing, file("b.nc", 2, {})}),
                 ElementsAre(ElementsAre(0), ElementsAre(1)));
 }

@@ -40,11 +40,13 @@ struct Read {
 Read read(const Source& source, const Dialect& dialect, Extent extent) {
     const ProgramFile file =
         dialect.read(std::make_shared<const Source>(source), *find_control(dialect.default_control), extent);
-    Read read{outline_of(file)};
-    for (ProgramOutline& program : read.outline.programs) // a call without a program connects nothing
+    const FileOutline outline = outline_of(file);
+    std::vector<ProgramOutline> programs(outline.programs.begin(), outline.programs.end());
+    for (ProgramOutline& program : programs) // a call without a program connects nothing
         std::erase_if(program.calls, [](const CallOutline& call) {
             return std::holds_alternative<std::monostate>(call.program);
         });
+    Read read{{outline.path, ProgramOutlines(std::move(programs))}};
     for (const Program& program : file.programs) read.effects += program.effects.size();
     return read;
 }
