@@ -126,6 +126,21 @@ TEST_F(EngineTest, TakesNoSecondLookAtFilesThatStayAsTheyAre) {
     EXPECT_EQ(engine.looks(), 5U);
 }
 
+TEST_F(EngineTest, ReadsAConnectedFileAgainOnceItHasChanged) {
+    folder.write("O1.nc", "O1\nG65P2\nM30\n");
+    write_an_hour_ago("O2.nc", "O2\n#100=1\nM99\n");
+    for (int round = 0; round < 2; ++round)
+        EXPECT_THAT(places(engine.analyse(snapshot({"O1.nc"}))), IsEmpty());
+    EXPECT_EQ(engine.store().reads(), 2U);
+    write_an_hour_ago("O2.nc",
+                      "O2\n#100=#24\n#3000=1(STOP)\n"); // no X is passed, and the call ends in the alarm
+    const auto told = places(engine.analyse(snapshot({"O1.nc"})));
+    EXPECT_EQ(engine.store().reads(), 3U);
+    cli::Engine anew({.jobs = 1}, progress);
+    EXPECT_EQ(told, places(anew.analyse(snapshot({"O1.nc"}))));
+    EXPECT_THAT(told, Not(IsEmpty()));
+}
+
 TEST_F(EngineTest, LooksAgainAtAFileThatMayHaveBeenWrittenInTheSameSecond) {
     folder.write("O1.nc", jumps_nowhere);
     folder.write("O2.nc", "O2\nM99\n");
