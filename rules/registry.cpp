@@ -151,6 +151,7 @@
     RULE(profile_cannot_be_turned)              /* MAC533 */ \
     RULE(turret_turned_at_work)                 /* MAC534 */ \
     RULE(plane_changed_under_compensation)      /* MAC535 */ \
+    RULE(position_as_increment)                 /* MAC536 */ \
     RULE(integer_word_decimal)                  /* MAC551 */ \
     RULE(missing_decimal_motion)                /* MAC552 */ \
     RULE(feed_missing)                          /* MAC553 */ \

@@ -36,6 +36,7 @@ class Reader {
   private:
     [[nodiscard]] bool is_circle() const;
     [[nodiscard]] bool lacks_centre() const;
+    [[nodiscard]] bool has_centre_only_outside(std::size_t axis) const;
     [[nodiscard]] bool has_end(std::size_t axis) const {
         return has(machine_.axes[axis]) || has(machine_.increments[axis]);
     }
@@ -214,18 +215,35 @@ bool Reader::lacks_centre() const {
            !step_.words.has_other_target() && (has_end(x_axis) || has_end(y_axis) || has_end(z_axis));
 }
 
+/// `G17 G3 K-#31`: whatever the value is, or none, the circle has no centre.
+bool Reader::has_centre_only_outside(std::size_t axis) const {
+    const char outside = machine_.centres[axis];
+    const bool is_alone =
+        std::ranges::none_of(machine_.centres, [&](char letter) { return letter != outside && has(letter); });
+    return is_alone && has(outside) && !can_be_read(outside) && !step_.words.number(outside);
+}
+
 std::optional<Arc> Reader::read() const {
     if (!is_circle()) return std::nullopt;
     if (lacks_centre())
         return Arc{.fault = ArcFault::no_centre, .letters = std::string(machine_.radius_address)};
     if (has(machine_.radius) == has_centre()) return std::nullopt;
-    for (const char letter : machine_.centres)
-        if (!can_be_read(letter)) return std::nullopt;
-    if (!can_be_read(machine_.radius)) return std::nullopt;
     const std::optional<std::size_t> outside = outside_axis();
     if (!outside) return std::nullopt;
     Reader chosen = *this;
     chosen.choose_plane(*outside);
+    const std::string letters =
+        std::string(1, machine_.centres[chosen.plane_[0]]) + " and " + machine_.centres[chosen.plane_[1]];
+    const bool plane_of_start = step_.after.of(ModalRole::plane).is_callers() && !machine_.x_is_diameter;
+    if (has_centre_only_outside(*outside))
+        return Arc{.fault = ArcFault::other_plane,
+                   .letter = machine_.centres[*outside],
+                   .leaves_plane = has_end(*outside),
+                   .plane_of_start = plane_of_start,
+                   .letters = letters};
+    for (const char letter : machine_.centres)
+        if (!can_be_read(letter)) return std::nullopt;
+    if (!can_be_read(machine_.radius)) return std::nullopt;
     if (has_absolute_centre() && !chosen.knows_centre(*outside)) return std::nullopt;
     std::array<double, 3> ways = {};
     for (const std::size_t axis : chosen.plane_) {
@@ -248,9 +266,8 @@ std::optional<Arc> Reader::read() const {
         if (arc.fault == ArcFault::none || halved.fault == ArcFault::none) return std::nullopt;
         arc = halved;
     }
-    arc.letters =
-        std::string(1, machine_.centres[chosen.plane_[0]]) + " and " + machine_.centres[chosen.plane_[1]];
-    arc.plane_of_start = step_.after.of(ModalRole::plane).is_callers() && !machine_.x_is_diameter;
+    arc.letters = letters;
+    arc.plane_of_start = plane_of_start;
     return arc;
 }
 

@@ -147,7 +147,7 @@ Stepper::Stepper(const Program& program, const MachineWords& machine)
 void Stepper::begin(const BlockView& block) {
     move_ = Move::none;
     axes_ = {};
-    changes_tool_ = calls_ = without_feed_ = to_reference_ = false;
+    changes_tool_ = calls_ = passes_words_ = without_feed_ = to_reference_ = false;
     moves_ = block.moves;
 }
 
@@ -164,8 +164,10 @@ void Stepper::apply(State& state, const BlockView& block, const Words& words) {
         state.speed_clamp = speed ? Known::of(speed->value, block.span.begin) : Known::nothing();
     }
     if (words.has_clamp()) state.speed_clamp = Known::nothing();
-    change_tool(state, block, words);
-    choose_offsets(state, block, words);
+    if (!passes_words_) { // else H and T are arguments
+        change_tool(state, block, words);
+        choose_offsets(state, block, words);
+    }
     if (words.has_one_of(machine_->resetting)) state.forget_position();
     if (moves_ && words.only_count())
         run_blocks_elsewhere(state);
@@ -223,7 +225,10 @@ void Stepper::apply_effects(State& state, const BlockView& block) {
                     to_reference_ |= motion.to_reference;
                 },
                 [&](const ToolChange& change) { changes_tool_ |= change.kind == ToolChange::Kind::change; },
-                [&](const Call&) { calls_ = true; },
+                [&](const Call& call) {
+                    calls_ = true;
+                    passes_words_ |= call.arguments.count != 0;
+                },
                 [&](const Stop&) { // behind a stop somebody may push a part to the tool
                     if (state.plunged.is_known()) state.plunged = Known::of(0, block.span.begin);
                 },

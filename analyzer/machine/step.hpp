@@ -170,7 +170,7 @@ class Stepper {
     Move move_ = Move::none;
     std::array<bool, 3> axes_ = {};
     bool changes_tool_ = false;
-    bool calls_ = false;
+    bool calls_ = false, passes_words_ = false;
     bool moves_ = false;
     bool without_feed_ = false;
     bool to_reference_ = false;

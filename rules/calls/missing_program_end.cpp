@@ -69,7 +69,8 @@ M30
 )nc"}},
          {&fragment,
           "fragment",
-          "Nothing moves, or no number names the program: a list of data, or a part of a program.",
+          "Nothing moves or is decided, or no number names the program: a list of data, or a part of a "
+          "program.",
           {"fanuc", R"nc(
 O0455(OFFSETS)
 G10 L2 P1 X0 Y0 Z0
@@ -89,18 +90,19 @@ bool may_go_on(const ProgramAnalysis& analysis) {
     return next != programs.end() && !next->number;
 }
 
-/// Whether it is a program and no fragment of one: its text names it by a number, and it moves an axis.
+/// Whether it is a program and no fragment of one: its text names it by a number, and it moves an axis, or
+/// decides something.
 bool is_whole(const ProgramAnalysis& analysis) {
     const Program& program = analysis.program();
-    bool moves = false;
+    const auto does_something = [](const Effect& effect) {
+        return std::holds_alternative<Motion>(effect.what) || std::holds_alternative<Guarded>(effect.what);
+    };
+    bool is_work = false;
     for_each_block(program, [&](const BlockView& block) {
-        moves |=
-            block.moves || std::ranges::any_of(program.effects_in(block.effects), [](const Effect& effect) {
-                return std::holds_alternative<Motion>(effect.what);
-            });
-        return !moves;
+        is_work |= block.moves || std::ranges::any_of(program.effects_in(block.effects), does_something);
+        return !is_work;
     });
-    return moves && program.number && !program.name_span.empty();
+    return is_work && program.number && !program.name_span.empty();
 }
 
 void check(const ProgramAnalysis& analysis, Reporter& reporter) {

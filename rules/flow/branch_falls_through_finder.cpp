@@ -1,12 +1,15 @@
 //! Gathers rows of tests, and looks at how the blocks before each label end.
 #include "rules/flow/branch_falls_through_finder.hpp"
 
+#include "analyzer/dialect/ascii.hpp"
+#include "analyzer/dialect/characters.hpp"
 #include "analyzer/program/block_view.hpp"
 #include "analyzer/queries/conditions/conditions.hpp"
 
 #include <algorithm>
 #include <optional>
 #include <span>
+#include <string>
 
 namespace maclint::rules {
 namespace {
@@ -50,6 +53,7 @@ class Tables {
             if (test) table.push_back(*test);
         }
         if (const auto falling = falling_branch(table)) found.push_back(*falling);
+        find_twins(found);
         return found;
     }
 
@@ -132,6 +136,56 @@ class Tables {
         if (twice == leaving.end()) return std::nullopt;
         return FallingBranch{branches[*falling].jump, graph_.nodes[branches[*falling].target].part,
                              graph_.nodes[branches[*falling + 1].target].part, twice->by};
+    }
+
+    /// A test of whatever, and its jump.
+    [[nodiscard]] std::optional<Test> any_test_at(flow::NodeId node) const {
+        if (node >= graph_.nodes_in_text) return std::nullopt;
+        for (const flow::EdgeId id : graph_.out[node]) {
+            const flow::Edge& edge = graph_.edges[id];
+            const flow::Edge* jump = edge.condition && edge.holds ? only_jump_at(edge.to) : nullptr;
+            if (jump != nullptr) return Test{node, jump->to, *jump->jump, *edge.condition};
+        }
+        return std::nullopt;
+    }
+
+    /// What stands there, with its numbers and blanks left out: "N#=#+GOTO".
+    [[nodiscard]] std::string shape_between(flow::NodeId begin, flow::NodeId end) const {
+        std::string shape =
+            without_blanks(program_.slice({graph_.nodes[begin].part.begin, graph_.nodes[end].part.begin}));
+        std::erase_if(shape, [](char c) { return is_digit(c) || c == '.' || c == '-' || c == '\n'; });
+        return shape;
+    }
+
+    /// Two tests alone in a row whose branches are one block after the other alike, and only the second
+    /// leaves.
+    void find_twins(std::vector<FallingBranch>& found) const {
+        for (flow::NodeId node = 0; node < graph_.nodes_in_text; ++node) {
+            const auto first = any_test_at(node);
+            const auto second = first ? any_test_at(node + nodes_of_a_test) : std::nullopt;
+            if (!second) continue;
+            const bool alone = !any_test_at(node + 2 * nodes_of_a_test) &&
+                               (node < nodes_of_a_test || !any_test_at(node - nodes_of_a_test));
+            if (const auto twin = alone ? falling_twin(*first, *second) : std::nullopt)
+                found.push_back(*twin);
+        }
+    }
+
+    [[nodiscard]] std::optional<FallingBranch> falling_twin(const Test& first, const Test& second) const {
+        if (first.target <= second.node || second.target <= first.target ||
+            !is_run_into(second.target, first.target))
+            return std::nullopt;
+        const flow::NodeId end = std::min<flow::NodeId>(graph_.nodes_in_text, second.target + most_nodes);
+        for (flow::NodeId node = second.target; node < end; ++node) {
+            const auto how = leaving_at(node);
+            if (!how) continue;
+            const std::string shape = shape_between(first.target, second.target);
+            if (shape.find('=') == std::string::npos || shape != shape_between(second.target, node))
+                return std::nullopt;
+            return FallingBranch{first.jump, graph_.nodes[first.target].part,
+                                 graph_.nodes[second.target].part, how->by};
+        }
+        return std::nullopt;
     }
 
     /// Whether nothing but labels stands there.

@@ -17,7 +17,9 @@ struct FallingBranch {
 
 /// For each table the only branch that runs into the next one's label, where at least two of its others
 /// leave by a jump to one and the same block, or end the program. A table is three tests or more in a row,
-/// each whether one and the same variable is a number, that jump forwards to labels of their own.
+/// each whether one and the same variable is a number, that jump forwards to labels of their own. Of two
+/// tests in a row the first branch, where it reads like the second but for numbers, stores something, and
+/// only the second leaves.
 [[nodiscard]] std::vector<FallingBranch> find_falling_branches(const ProgramAnalysis& analysis);
 
 } // namespace maclint::rules

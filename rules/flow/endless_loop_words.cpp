@@ -32,6 +32,9 @@ std::optional<EndlessLoopWords> endless_loop_words(const ProgramAnalysis& analys
     const Program& program = analysis.program();
     const auto deciders = queries::unchanging_deciders(analysis, loop);
     if (!deciders) {
+        if (const auto idle = queries::idle_condition(analysis, loop))
+            return EndlessLoopWords{
+                "idle", {quoted(program, program.expressions[*idle].span)}, "and nothing has changed"};
         if (const auto again = queries::set_again(analysis, loop))
             return EndlessLoopWords{"set-again",
                                     {quoted(program, program.expressions[again->condition].span),

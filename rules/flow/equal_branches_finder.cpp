@@ -134,11 +134,23 @@ class EqualBranchesIn {
         if (has_words)
             for (const Word& word : block->words) add(branch, word.span);
         for (const Effect& effect : effects)
-            if (!leads_on(effect)) add(branch, effect.span);
+            if (!leads_on(effect)) add(branch, shown_by(effect));
+    }
+
+    /// An alarm shows the remark behind it.
+    [[nodiscard]] Span shown_by(const Effect& effect) const {
+        Span span = effect.span;
+        const auto* stop = std::get_if<Stop>(&effect.what);
+        if (stop != nullptr && stop->kind == Stop::Kind::alarm)
+            span.end =
+                static_cast<Offset>(std::min(program_.text.find('\n', span.end), program_.text.size()));
+        return span;
     }
 
     void add(Branch& branch, Span part) const {
-        branch.text += without_blanks(program_.slice(part)) + '\n';
+        const std::string text = without_blanks(program_.slice(part));
+        if (text.empty()) return; // of a block that is only a number
+        branch.text += text + '\n';
         if (branch.span.empty()) branch.span = part;
         branch.span.end = std::max(branch.span.end, part.end);
     }

@@ -43,6 +43,10 @@ extern const Rule infinite_loop_unchanged{
                   "Endless loop: '{0}' leads back in front of '{2}', so '{1}' turns out the same in every "
                   "pass.",
                   "Jump back behind it, or set it before the loop."},
+                 {"idle",
+                  "Loop that only its jumps leave: nothing in it changes '{1}', and no path comes to the "
+                  "block behind '{0}'.",
+                  "Count in the loop what the condition asks for."},
                  {"no-exit", "Endless loop: nothing leads out of '{0}'.",
                   "Count in a variable that its condition asks, or leave it."}},
     .bad = {{"fanuc", R"nc(
@@ -114,6 +118,7 @@ void check(const ProgramAnalysis& analysis, Reporter& reporter) {
         words->more.insert(words->more.begin(), quoted(analysis.program(), span));
         Finding& finding = reporter.report(by ? Cause{analysis, *by} : Cause{analysis, span}, span, words->id,
                                            std::move(words->more));
+        if (words->id == "idle") finding.severity = Severity::warning; // it ends, if not so
         trace_round(finding, analysis, loop, words->again);
     }
 }

@@ -57,7 +57,8 @@ bool Settings::is_setting(const dataflow::Store& store, int depth) const {
 
 bool Settings::is_made_of_settings(const dataflow::Store& store, int depth) const {
     if (std::holds_alternative<Literal>(analysis_.program().expressions[store.expression].node)) return true;
-    if (!dataflow::variables_of(analysis_.program(), store.expression).closed) return false;
+    if (store.step || !dataflow::variables_of(analysis_.program(), store.expression).closed)
+        return false; // what counts is no setting
     const auto reads = analysis_.facts().at<dataflow::Read>(store.effect);
     return std::ranges::all_of(reads,
                                [&](const dataflow::Read& read) { return is_setting(read, depth - 1); });

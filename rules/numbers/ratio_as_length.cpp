@@ -3,6 +3,7 @@
 #include "analyzer/workspace/program_analysis.hpp"
 #include "rules/numbers/ratio_as_length_finder.hpp"
 #include "rules/numbers/ratio_as_length_halves_finder.hpp"
+#include "rules/numbers/ratio_as_length_twice_finder.hpp"
 #include "rules/path.hpp"
 #include "rules/rule.hpp"
 
@@ -22,14 +23,19 @@ extern const Rule ratio_as_length{
     .precision = Precision::high,
     .needs = {Capability::vacancy},
     .facts = dataflow::facts<dataflow::Read>(),
-    .messages = {{"ratio", "Ratio for a length: '{0}' has no side that it is multiplied with.",
-                  "Multiply it with the length of the side."},
-                 {"angle", "Angle for a length: '{0}' holds what ASIN, ACOS or ATAN gives, an angle.",
-                  "Take the length that was calculated with it."},
-                 {"half", "Half of a place: '{0}' adds a place and the half of another place of that axis.",
-                  "Put the sum in brackets where their middle is meant."},
-                 {"middle", "Middle of one value: '{0}' adds a variable to itself and halves the sum.",
-                  "Take the second of the two."}},
+    .messages =
+        {{"ratio", "Ratio for a length: '{0}' has no side that it is multiplied with.",
+          "Multiply it with the length of the side."},
+         {"angle", "Angle for a length: '{0}' holds what ASIN, ACOS or ATAN gives, an angle.",
+          "Take the length that was calculated with it."},
+         {"half", "Half of a place: '{0}' adds a place and the half of another place of that axis.",
+          "Put the sum in brackets where their middle is meant."},
+         {"same",
+          "One ratio for two axes: '{0}' takes the {1} that '{2}' takes, which no point on a circle has "
+          "in both.",
+          "Write {3} in one of the two."},
+         {"middle", "Middle of one value: '{0}' adds a variable to itself and halves the sum.",
+          "Take the second of the two."}},
     .bad = {{"fanuc", R"nc(
 O9230(CIRCLE, A ANGLE R RADIUS)
 G91 G17 G2 X[#18*SIN[#1]] Y-[#18*[1-COS[#1]]] I-SIN[#1] J-[#18*COS[#1]] F200.
@@ -53,6 +59,10 @@ void check(const ProgramAnalysis& analysis, Reporter& reporter) {
     for (const AngleAsLength& found : find_angles_as_lengths(program))
         reporter.report({analysis, found.word}, found.word, found.is_angle ? "angle" : "ratio",
                         {quoted(program, found.word)});
+    for (const SameRatioTwice& same : find_same_ratios(program))
+        reporter.report({analysis, same.second}, same.second, "same",
+                        {quoted(program, same.second), same.is_cosine ? "cosine" : "sine",
+                         quoted(program, same.first), same.is_cosine ? "SIN" : "COS"});
     for (const HalfOfAPlace& half : find_halves_of_places(analysis)) {
         const Span span = program.expressions[half.sum].span;
         reporter.report({analysis, half.effect, half.sum}, span, half.is_one_place ? "middle" : "half",

@@ -1,6 +1,7 @@
 //! MAC605: a position is read while the control may still be making a move.
 #include "analyzer/dataflow/facts/comparison.hpp"
 #include "analyzer/dataflow/facts/read.hpp"
+#include "analyzer/dataflow/facts/store.hpp"
 #include "analyzer/queries/machine/unfinished_moves.hpp"
 #include "analyzer/queries/values/offsets.hpp"
 #include "rules/path.hpp"
@@ -29,7 +30,7 @@ extern const Rule position_read_ahead{
         "so; name those that do under 'stops-look-ahead' of the control in .maclint.json.",
     .severity = Severity::warning,
     .precision = Precision::high,
-    .facts = dataflow::facts<dataflow::Comparison, dataflow::Read>(),
+    .facts = dataflow::facts<dataflow::Comparison, dataflow::Read, dataflow::Store>(),
     .data_flow = true,
     .messages =
         {{"offset",

@@ -1,6 +1,7 @@
 //! MAC607: an offset is made of where the probe touched, and nothing asks whether it did.
 #include "analyzer/dataflow/facts/comparison.hpp"
 #include "analyzer/dataflow/facts/read.hpp"
+#include "analyzer/dataflow/facts/store.hpp"
 #include "rules/path.hpp"
 #include "rules/rule.hpp"
 #include "rules/timing/skip_not_checked_finder.hpp"
@@ -22,7 +23,7 @@ extern const Rule skip_not_checked{
         "the probe switched off the offset is wrong by the rest of the way, and the next tool follows it.",
     .severity = Severity::note,
     .precision = Precision::high,
-    .facts = dataflow::facts<dataflow::Comparison, dataflow::Read>(),
+    .facts = dataflow::facts<dataflow::Comparison, dataflow::Read, dataflow::Store>(),
     .data_flow = true,
     .messages =
         {{"unchecked",

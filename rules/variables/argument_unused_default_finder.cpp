@@ -41,10 +41,13 @@ std::optional<flow::NodeId> node_for_set(const ProgramAnalysis& analysis, const 
     return std::nullopt;
 }
 
-/// A number that is no mark of a case.
+/// A number that is no mark of a case: 1 may be one, and 0 where something compares it.
 bool is_default(const ProgramAnalysis& analysis, const Store& store) {
     const auto* literal = std::get_if<Literal>(&analysis.program().expressions[store.expression].node);
-    return literal != nullptr && literal->value != 0 && literal->value != 1;
+    const auto is_compared = [](const Read* read) { return read->use == Use::comparison; };
+    return literal != nullptr && literal->value != 1 &&
+           (literal->value != 0 ||
+            std::ranges::none_of(analysis.facts().about<Read>(store.variable), is_compared));
 }
 
 /// Whether the program works with the variable, and never with what was passed.

@@ -40,7 +40,7 @@ extern const Rule bare_number_for_variable{
                  {"bracket", "Number for a variable: '{0}' is the number {1}, and other blocks say #{1}.",
                   "Write [#{1}]."},
                  {"set-in-vain",
-                  "Number for a variable: '{0}' is a number here, and #{1}, which the program sets, is read "
+                  "Number for a variable: '{0}' is a number here, and #{1}, which the program {4}, is read "
                   "nowhere.",
                   "Write #{1}."},
                  {"sibling", "Number for a variable: '{0}' is the number {1}, and line {2} has '{3}'.",
@@ -100,6 +100,11 @@ bool is_of_the_control(const ControlModel& control, std::int64_t number) {
     });
 }
 
+bool is_argument(const Program& program, std::int64_t number) {
+    return std::ranges::any_of(program.control->formals,
+                               [&](Variable formal) { return formal.number == number; });
+}
+
 void check(const ProgramAnalysis& analysis, Reporter& reporter) {
     const Program& program = analysis.program();
     const auto is_literal = [&](ExpressionId id) {
@@ -125,13 +130,14 @@ void check(const ProgramAnalysis& analysis, Reporter& reporter) {
         }
     }
     for (const BareNumber& bare : find_bare_numbers(program)) {
-        Finding& finding = reporter.report({analysis, bare.span}, bare.span,
-                                           bare.is_set_in_vain    ? "set-in-vain"
-                                           : bare.sibling.empty() ? "bracket"
-                                                                  : "sibling",
-                                           {quoted(program, bare.span), std::to_string(bare.number),
-                                            line_number(analysis.file(), bare.sibling.begin),
-                                            quoted(program, bare.sibling)});
+        Finding& finding =
+            reporter.report({analysis, bare.span}, bare.span,
+                            bare.is_set_in_vain    ? "set-in-vain"
+                            : bare.sibling.empty() ? "bracket"
+                                                   : "sibling",
+                            {quoted(program, bare.span), std::to_string(bare.number),
+                             line_number(analysis.file(), bare.sibling.begin), quoted(program, bare.sibling),
+                             is_argument(program, bare.number) ? "asks for" : "sets"});
         if (!bare.sibling.empty())
             finding.related.push_back({analysis.source(), bare.sibling, "the variable stands here"});
     }

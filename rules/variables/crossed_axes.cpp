@@ -6,6 +6,7 @@
 #include "rules/variables/crossed_axes_cases_finder.hpp"
 #include "rules/variables/crossed_axes_finder.hpp"
 #include "rules/variables/crossed_axes_positions_finder.hpp"
+#include "rules/variables/mistaken_axes.hpp"
 
 #include <algorithm>
 #include <string>
@@ -26,15 +27,22 @@ extern const Rule crossed_axes{
     .severity = Severity::warning,
     .precision = Precision::high,
     .facts = dataflow::facts<dataflow::Read, dataflow::Store>(),
-    .messages = {{"crossed",
-                  "Axes crossed: '{0}' is made of {1}, where '{2}' beside it is made of its own {3}.",
-                  "Take {4}, or say in a comment why not."},
-                 {"position",
-                  "Position of another axis: '{0}' sets an offset of the axis of {1}, and {2} is a place of "
-                  "another axis.",
-                  "Take {3}, or what was stored of it."},
-                 {"case", "Another work offset: {0} belongs to {1}, and '{2}' stands in the case for {3}.",
-                  "Take {4}, as the other cases take their own."}},
+    .messages =
+        {{"crossed", "Axes crossed: '{0}' is made of {1}, where '{2}' beside it is made of its own {3}.",
+          "Take {4}, or say in a comment why not."},
+         {"position",
+          "Position of another axis: '{0}' sets an offset of the axis of {1}, and {2} is a place of "
+          "another axis.",
+          "Take {3}, or what was stored of it."},
+         {"from-sibling",
+          "Variable of another statement: '{0}' goes on from {1}, where '{2}' goes on from its own.",
+          "Take {3}."},
+         {"moves-another",
+          "Position of another axis: '{0}' keeps a place of {1}, and {2} on line {3} moves there; {4} "
+          "keeps the same for {1}.",
+          "Take {5}."},
+         {"case", "Another work offset: {0} belongs to {1}, and '{2}' stands in the case for {3}.",
+          "Take {4}, as the other cases take their own."}},
     .bad = {{"fanuc", R"nc(
 O9215(POINT FROM WHERE THE TOOL IS)
 #24=#5001+#24
@@ -111,6 +119,7 @@ void check(const ProgramAnalysis& analysis, Reporter& reporter) {
         told.push_back(crossed.effect);
     }
     report_positions(analysis, told, reporter);
+    report_mistaken_axes(analysis, reporter);
 }
 
 } // namespace

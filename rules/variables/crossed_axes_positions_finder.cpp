@@ -73,8 +73,20 @@ class Finder {
         for (const std::size_t i : {0U, 1U}) {
             const auto base = base_in(family, operands[i], 0);
             if (base && counts_sets(*base->range, operands[1 - i])) return base;
+            if (const auto next = next_of(operands[i], operands[1 - i], family, depth)) return next;
         }
         return std::nullopt;
+    }
+
+    /// #11+2 is the axis two further than that of #11.
+    [[nodiscard]] std::optional<AxisNumber> next_of(ExpressionId start, ExpressionId further, FamilyId family,
+                                                    int depth) const {
+        const auto* literal = std::get_if<Literal>(&program_.expressions[further].node);
+        const bool is_variable = std::holds_alternative<Load>(program_.expressions[start].node);
+        if (literal == nullptr || !is_variable || literal->value < 0 || literal->value >= most_linear_axes)
+            return std::nullopt;
+        const auto base = base_in(family, start, depth);
+        return base ? offset(family, base->number + std::llround(literal->value)) : std::nullopt;
     }
 
     [[nodiscard]] bool counts_sets(const VariableRange& range, ExpressionId id) const {

@@ -7,6 +7,7 @@
 #include "rules/path.hpp"
 #include "rules/rule.hpp"
 #include "rules/trace.hpp"
+#include "rules/variables/dead_store_copies_finder.hpp"
 #include "rules/variables/mistaken_stores.hpp"
 
 #include <algorithm>
@@ -44,6 +45,8 @@ extern const Rule dead_store{
                  {"other-number",
                   "Another variable: nothing reads {1} of '{0}', and nothing sets {2} of line {3}.",
                   "Correct the one that is wrong."},
+                 {"itself", "Nothing stored: '{0}' sets {1} to what it is.",
+                  "Take the variable that was meant, add what is to be counted, or remove it."},
                  {"never", "Variable never used: '{0}' sets {1}, and no block reads it.",
                   "Use it, or remove the assignment.", true}},
     .bad = {{"fanuc", R"nc(
@@ -133,13 +136,6 @@ bool is_only_repeated(const queries::DeadStore& dead) {
     return std::ranges::any_of(dead.replaced_by, [&](const dataflow::Store* next) {
         return queries::is_same_value(next->value, dead.store->value);
     });
-}
-
-/// #32=#5001, which nobody reads, keeps a place; #576=#572 loses nothing as long as #572 has it still.
-bool is_spare_copy(const ProgramAnalysis& analysis, const queries::DeadStore& dead) {
-    const VariableSpace& space = analysis.control().spaces[dead.store->variable.space];
-    return (!dead.read_elsewhere || (space.scope != Scope::frame && !dead.source_changes)) &&
-           !std::holds_alternative<Apply>(analysis.program().expressions[dead.store->expression].node);
 }
 
 std::string_view message_for(const queries::DeadStore& dead) {

@@ -2,6 +2,7 @@
 #include "rules/variables/mistaken_stores.hpp"
 
 #include "analyzer/program/tables.hpp"
+#include "analyzer/queries/paths/exits.hpp"
 #include "rules/path.hpp"
 #include "rules/variables/dead_store_names_finder.hpp"
 #include "rules/variables/dead_store_offsets_finder.hpp"
@@ -38,11 +39,26 @@ void report_offsets(const ProgramAnalysis& analysis, Reporter& reporter) {
     }
 }
 
+/// `#530=#530`. In one of several cases it says that nothing changes there.
+void report_own_values(const ProgramAnalysis& analysis, Reporter& reporter) {
+    const Program& program = analysis.program();
+    for (const dataflow::Store& store : analysis.facts().all<dataflow::Store>()) {
+        const auto* load = std::get_if<Load>(&program.expressions[store.expression].node);
+        if (load == nullptr || !(load->variable == store.variable) ||
+            !queries::is_on_every_path(analysis, store.node))
+            continue;
+        const Span span = program.effects[store.effect].span;
+        reporter.report({analysis, store.effect}, span, "itself",
+                        {quoted(program, span), program.spell(store.variable)});
+    }
+}
+
 } // namespace
 
 void report_mistaken_stores(const ProgramAnalysis& analysis, Reporter& reporter) {
     report_mistaken_number(analysis, reporter);
     report_offsets(analysis, reporter);
+    report_own_values(analysis, reporter);
 }
 
 } // namespace maclint::rules

@@ -28,6 +28,9 @@ extern const Rule value_for_number{
                  {"number",
                   "Number for a value: '#{0}' is the variable whose number is {1} less {2}, and no length.",
                   "Write the difference of {3} and {2}, the # inside of the bracket."},
+                 {"stored",
+                  "Number for a value: {0} holds the number of a variable, and is added up as a length.",
+                  "Write #[{1}], or #[…] around the sum that picks the variable."},
                  {"compared", "Numbers for values: '{0}' compares two numbers of variables, always alike.",
                   "Compare what the variables hold, #[…] on both sides."}},
     .bad = {{"fanuc", R"nc(
@@ -71,6 +74,11 @@ void check(const ProgramAnalysis& analysis, Reporter& reporter) {
     for (const ExpressionId id : find_numbers_compared(program)) {
         const Span span = program.expressions[id].span;
         reporter.report({analysis, span}, span, "compared", {quoted(program, span)});
+    }
+    for (const ExpressionId id : find_numbers_stored(program)) {
+        const Span span = program.expressions[id].span;
+        const std::string number = quoted(program, span);
+        reporter.report({analysis, span}, span, "stored", {number, number});
     }
     for (const NumberForValue& found : find_numbers_for_values(program)) {
         const Span span = program.expressions[found.index].span;

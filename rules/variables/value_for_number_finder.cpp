@@ -131,7 +131,37 @@ bool holds_a_number_only(const Program& program, Variable variable) {
     return sums == 1;
 }
 
+/// The variable in the sum; nothing where it has none of the wanted.
+template<class Wanted>
+std::optional<ExpressionId> summand_of(const Program& program, ExpressionId id, const Wanted& wanted) {
+    if (wanted(id)) return id;
+    const auto* sum = std::get_if<Apply>(&program.expressions[id].node);
+    if (sum == nullptr || sum->operation != Operation::add) return std::nullopt;
+    for (const ExpressionId operand : program.operands_of(*sum))
+        if (const auto found = summand_of(program, operand, wanted)) return found;
+    return std::nullopt;
+}
+
 } // namespace
+
+std::vector<ExpressionId> find_numbers_stored(const Program& program) {
+    std::vector<ExpressionId> found;
+    const auto indexes = variables_of_indexes(program);
+    if (indexes.empty()) return found;
+    const auto is_number = [&](ExpressionId id) {
+        const auto* load = std::get_if<Load>(&program.expressions[id].node);
+        return load != nullptr && indexes.contains({load->variable.space, load->variable.number}) &&
+               holds_a_number_only(program, load->variable);
+    };
+    for (const Effect& effect : program.effects) {
+        const auto* assign = std::get_if<Assign>(&effect.what);
+        if (assign == nullptr || !std::holds_alternative<StoreAt>(assign->target) ||
+            is_number(assign->value)) // a list of numbers
+            continue;
+        if (const auto number = summand_of(program, assign->value, is_number)) found.push_back(*number);
+    }
+    return found;
+}
 
 std::vector<ExpressionId> find_numbers_compared(const Program& program) {
     std::vector<ExpressionId> found;

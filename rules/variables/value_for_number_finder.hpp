@@ -34,4 +34,9 @@ struct NumberForValue {
 /// counts it, and one is an index elsewhere. In the order of the expressions.
 [[nodiscard]] std::vector<ExpressionId> find_numbers_compared(const Program& program);
 
+/// Variables that hold nothing but the number of a variable, in a sum that a variable chosen by its number
+/// gets:
+/// `#10=5221+20*#1`, `#[#11]=#10+#24`, where another block says #[#10]. In text order.
+[[nodiscard]] std::vector<ExpressionId> find_numbers_stored(const Program& program);
+
 } // namespace maclint::rules

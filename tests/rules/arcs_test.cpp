@@ -47,6 +47,13 @@ TEST(ImpossibleArc, HasItsEndsAtDifferentDistancesFromItsCentre) {
     EXPECT_THAT(arc("G2 X20. Y40. I12. J0 F200.", "G17 G21"), IsEmpty()) << "from where is not known";
 }
 
+TEST(ImpossibleArc, HasItsOnlyCentreInAnotherPlaneWhateverTheValue) {
+    EXPECT_THAT(arc("G3 K-#31 F200."), ElementsAre(HasSubstr("Centre of another plane: 'K-#31'")));
+    EXPECT_THAT(arc("G3 I-#31 F200."), IsEmpty());
+    EXPECT_THAT(arc("G3 I-#31 K#6 F200."), IsEmpty()) << "#6 may be vacant";
+    EXPECT_THAT(arc("G3 K-#31 F200.", "G18 G21 G90"), IsEmpty());
+}
+
 TEST(ImpossibleArc, MayBeOffByWhatThreeDecimalsLose) {
     EXPECT_THAT(arc("G2 X20. Y40. I10.015 J0 F200."), IsEmpty());
     EXPECT_THAT(arc("G2 X20. Y40. I10.05 J0 F200."), ElementsAre(HasSubstr("10.05")));

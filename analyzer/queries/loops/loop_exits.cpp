@@ -114,6 +114,28 @@ std::optional<std::vector<Variable>> unchanging_deciders(const ProgramAnalysis& 
     return deciders;
 }
 
+std::optional<ExpressionId> idle_condition(const ProgramAnalysis& analysis, const dataflow::Loop& loop) {
+    if (region_of(analysis, loop) == nullptr || loop.exit_edges.size() < 2) return std::nullopt;
+    const auto exit = std::ranges::find_if(loop.exit_edges, [&](flow::EdgeId id) {
+        const flow::Edge& edge = analysis.graph().edges[id];
+        return edge.from == loop.head && edge.condition && !analysis.data().passable(id) &&
+               !analysis.data().reached(edge.to);
+    });
+    if (exit == loop.exit_edges.end()) return std::nullopt;
+    const ExpressionId condition = *analysis.graph().edges[*exit].condition;
+    const auto* asks = std::get_if<Apply>(&analysis.program().expressions[condition].node);
+    const bool compares =
+        asks != nullptr &&
+        (asks->operation == Operation::less || asks->operation == Operation::less_equal ||
+         asks->operation == Operation::greater || asks->operation == Operation::greater_equal);
+    const dataflow::ReadSet set = dataflow::variables_of(analysis.program(), condition);
+    const bool stays =
+        set.closed && !set.variables.empty() && std::ranges::none_of(set.variables, [&](Variable variable) {
+            return loop.changes.may_change(variable);
+        });
+    return compares && stays ? std::optional(condition) : std::nullopt;
+}
+
 bool is_loop_condition(const ProgramAnalysis& analysis, const dataflow::Condition& condition) {
     const auto* mark = std::get_if<RegionMark>(&analysis.program().effects[condition.effect].what);
     return mark != nullptr && is_loop(mark->region_kind);

@@ -50,6 +50,11 @@ inline constexpr Exemption wait_for_others;
 [[nodiscard]] std::optional<ExpressionId> condition_never_met(const ProgramAnalysis& analysis,
                                                               const dataflow::Loop& loop);
 
+/// The condition of a WHILE that asks for less or more, which nothing in the loop changes, where only jumps
+/// lead out and no path comes to the block behind it.
+[[nodiscard]] std::optional<ExpressionId> idle_condition(const ProgramAnalysis& analysis,
+                                                         const dataflow::Loop& loop);
+
 /// Whether it is the condition of a loop of the text, and not of an IF.
 [[nodiscard]] bool is_loop_condition(const ProgramAnalysis& analysis, const dataflow::Condition& condition);
 

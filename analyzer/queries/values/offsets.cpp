@@ -1,6 +1,7 @@
 //! Looks at the numbers in indices.
 #include "analyzer/queries/values/offsets.hpp"
 
+#include "analyzer/dataflow/facts/store.hpp"
 #include "analyzer/program/tables.hpp"
 
 #include <algorithm>
@@ -18,15 +19,22 @@ bool is_offset(const ProgramAnalysis& analysis, FamilyId family, std::int64_t nu
            !range->changes_by_itself && !range->is_bit;
 }
 
-bool leads_to_offset(const ProgramAnalysis& analysis, FamilyId family, ExpressionId index) {
+/// `through`: so many variables may hold what makes the number, `#14=5223+20*[#19-54]`.
+bool leads_to_offset(const ProgramAnalysis& analysis, FamilyId family, ExpressionId index, int through) {
     const Program& program = analysis.program();
     const auto& node = program.expressions[index].node;
+    if (const auto* load = std::get_if<Load>(&node)) {
+        if (through == 0) return false;
+        const auto stores = analysis.facts().about<dataflow::Store>(load->variable);
+        return stores.size() == 1 && !stores.front()->step &&
+               leads_to_offset(analysis, family, stores.front()->expression, through - 1);
+    }
     if (const auto* literal = std::get_if<Literal>(&node))
         return literal->value > 0 && literal->value < largest_number &&
                is_offset(analysis, family, static_cast<std::int64_t>(literal->value));
     const auto* apply = std::get_if<Apply>(&node);
     return apply != nullptr && std::ranges::any_of(program.operands_of(*apply), [&](ExpressionId operand) {
-               return leads_to_offset(analysis, family, operand);
+               return leads_to_offset(analysis, family, operand, through);
            });
 }
 
@@ -36,7 +44,7 @@ using Picks = std::unordered_map<ExpressionId, ExpressionId>;
 void note_index(const ProgramAnalysis& analysis, FamilyId family, ExpressionId index, Picks& picks) {
     const Program& program = analysis.program();
     const auto* sum = std::get_if<Apply>(&program.expressions[index].node);
-    if (sum == nullptr || sum->operation != Operation::add || !leads_to_offset(analysis, family, index))
+    if (sum == nullptr || sum->operation != Operation::add || !leads_to_offset(analysis, family, index, 0))
         return;
     for (const ExpressionId operand : program.operands_of(*sum))
         if (std::holds_alternative<Load>(program.expressions[operand].node)) picks.emplace(operand, index);
@@ -48,7 +56,7 @@ bool makes_offset(const ProgramAnalysis& analysis, const Assign& assign) {
     if (const auto* machine = std::get_if<StoreMachine>(&assign.target))
         return is_offset(analysis, machine->family, machine->number);
     const auto* indirect = std::get_if<StoreAt>(&assign.target);
-    return indirect != nullptr && leads_to_offset(analysis, indirect->family, indirect->index);
+    return indirect != nullptr && leads_to_offset(analysis, indirect->family, indirect->index, 1);
 }
 
 std::vector<OffsetPick> offset_picks(const ProgramAnalysis& analysis) {
