@@ -68,6 +68,13 @@ M30
 
 namespace {
 
+/// T0303 of T0301 and 3: the last two figures are the offset's.
+std::string with_last_figures(const std::string& word, const std::string& offset) {
+    constexpr std::size_t figures = 2;
+    if (word.size() <= figures || offset.size() > figures) return word.substr(0, 1) + offset;
+    return word.substr(0, word.size() - figures) + std::string(figures - offset.size(), '0') + offset;
+}
+
 void check(const MachineStep& at, Reporter& reporter) {
     const machine::Known& tool = at.after().tool;
     const machine::Known& offset = at.after().length_offset;
@@ -81,14 +88,15 @@ void check(const MachineStep& at, Reporter& reporter) {
     const bool is_own_number = offset.value == tool.value;
     if (at.habits.tools() < 3 && is_own_number) return; // the other tool has the wrong one
     if (at.habits.tools() < 3 && !at.habits.has_tool(owner)) return;
-    const double meant = tool.value + *usual;
-    const char letter = at.letters().length_offset == 0 ? at.letters().tool : at.letters().length_offset;
+    const bool is_in_tool_word = at.letters().length_offset == 0; // T0301 of a lathe
+    const char letter = is_in_tool_word ? at.letters().tool : at.letters().length_offset;
     const std::string pairs = *usual == 0 ? "their own number" : "their number and " + number_word(*usual);
     const Span place = at.place_of(letter);
+    const std::string written(at.analysis.program().slice(place)), meant = number_word(tool.value + *usual);
     reporter
         .report({at.analysis, place}, place, "another",
-                {quoted(at.analysis.program(), place), at.letters().tool + number_word(tool.value), pairs,
-                 letter + number_word(meant)})
+                {written, at.letters().tool + number_word(tool.value), pairs,
+                 is_in_tool_word ? with_last_figures(written, meant) : letter + meant})
         .related.push_back(at.at(tool, "the tool is changed here"));
 }
 

@@ -1,5 +1,6 @@
 //! Slips that stand in macros until somebody repairs them, each beside what is right.
 #include "tests/rules/raised.hpp"
+#include "tests/support/linted.hpp"
 
 #include <string>
 
@@ -14,6 +15,7 @@ using test::messages_raised;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
+using ::testing::SizeIs;
 
 TEST(PlaceForAnotherAxis, MovesOneThatItWasNotKeptFor) {
     const auto told = [](const std::string& kept, const std::string& move) {
@@ -139,6 +141,17 @@ TEST(OffsetOfAnotherTool, IsNoArgumentOfACall) {
     };
     EXPECT_THAT(told("4"), ElementsAre(7));
     EXPECT_THAT(told("6"), IsEmpty());
+}
+
+TEST(OffsetOfAnotherTool, OfALatheStandsInTheLastFiguresOfT) {
+    cli::Overrides overrides;
+    overrides.control = "fanuc-16i-lathe";
+    overrides.select = {"MAC520"};
+    const std::string text = "O500\nG21G97S900M3\nT0101\nG0X40.Z2.\nG1Z-5.F.1\nG28U0W0\nT0301\nG0X40.Z2.\n"
+                             "G1Z-5.\nG28U0W0\nT0505\nG0X30.Z2.\nG1Z-9.\nG28U0W0\nM30\n";
+    const auto found = test::lint_texts({{"O500.nc", text}}, overrides).findings;
+    ASSERT_THAT(found, SizeIs(1));
+    EXPECT_THAT(found.front().finding.message(), HasSubstr("Write T0303"));
 }
 
 TEST(ValueLost, IsThatOfACaseThatRunsOnIntoTheNext) {
