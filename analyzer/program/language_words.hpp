@@ -53,6 +53,8 @@ struct LanguageTables {
     /// What a variable of the control is that has a name: "REAL, with 1 index; can only be read"; empty where
     /// it has none of that name. Capitals. nullptr: such variables have numbers.
     std::string (*about_variable)(std::string_view name) = nullptr;
+    /// Codes of other controls that the language lacks, "G43", sorted.
+    std::span<const std::string_view> foreign_codes = {};
 };
 
 /// "keyword", "function".

@@ -3,6 +3,9 @@
 #include "rules/path.hpp"
 #include "rules/rule.hpp"
 
+#include <string>
+#include <utility>
+
 namespace maclint::rules {
 
 namespace {
@@ -12,8 +15,7 @@ void check(const ProgramAnalysis& analysis, Reporter& reporter);
 extern const Rule misspelled_name{
     .code = "SIN203",
     .name = "misspelled-name",
-    .summary =
-        "A name that nothing defines is one letter off a variable of the program or a word of the control",
+    .summary = "A name that nothing defines is one letter off a variable or a word of the control",
     .why = "The control does not find the name, and stops with an alarm, or it is a variable of the "
            "machine that has another value. No program of the folder has the name, no file of definitions "
            "in it gives it, and `known-names` in the configuration does not list it.",
@@ -51,9 +53,9 @@ namespace {
 
 void check(const ProgramAnalysis& analysis, Reporter& reporter) {
     for (const UnknownName& name : analysis.program().unknown_names)
-        if (queries::is_misspelt(analysis, name))
+        if (std::string meant = queries::meant_by(analysis, name); !meant.empty())
             reporter.report({analysis.file(), name.span}, name.span, name.of_the_program ? "cure" : "word",
-                            {std::string(analysis.program().slice(name.span)), name.meant});
+                            {std::string(analysis.program().slice(name.span)), std::move(meant)});
 }
 
 } // namespace

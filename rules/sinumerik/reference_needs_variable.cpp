@@ -4,6 +4,8 @@
 #include "rules/rule.hpp"
 
 #include <string>
+#include <string_view>
+#include <variant>
 
 namespace maclint::rules {
 
@@ -33,6 +35,16 @@ M30
 PROC COUNT_UP(VAR INT TOTAL)
 TOTAL=TOTAL+1
 M17
+)nc"},
+            {"sinumerik", R"nc(
+%_N_MAIN_MPF
+DEF INT HOLES[4]
+COUNT_UP(HOLES)
+M30
+%_N_COUNT_UP_SPF
+PROC COUNT_UP(VAR INT TOTAL)
+TOTAL=TOTAL+1
+M17
 )nc"}},
     .good = {{"sinumerik", R"nc(
 %_N_MAIN_MPF
@@ -51,15 +63,17 @@ M17
 
 namespace {
 
-/// Empty where the argument is none, or nobody knows its type.
-std::string_view type_of_variable(const ProgramAnalysis& analysis, const Argument& argument, bool is_array) {
-    if (is_array) {
-        const ArrayDefinition* array = queries::array_given(analysis, argument);
-        return array == nullptr ? std::string_view{} : array->type;
-    }
-    const Program& program = analysis.program();
-    const bool is_variable = std::holds_alternative<Load>(program.expressions[argument.value].node);
-    return is_variable ? queries::type_given(program, argument) : std::string_view{};
+std::string spelled(std::string_view type, bool is_array) {
+    return (is_array ? "an array of " : "") + std::string(type);
+}
+
+/// "REAL", "an array of REAL"; empty where the argument is no variable, or nobody knows its type.
+std::string type_of_variable(const ProgramAnalysis& analysis, const Argument& argument) {
+    if (const ArrayDefinition* array = queries::array_given(analysis, argument))
+        return spelled(array->type, true);
+    const auto& node = analysis.program().expressions[argument.value].node;
+    const bool is_value = std::holds_alternative<Literal>(node) || std::holds_alternative<Text>(node);
+    return is_value ? "" : std::string(queries::type_given(analysis, argument));
 }
 
 void check(const ProgramAnalysis& analysis, Reporter& reporter) {
@@ -70,12 +84,13 @@ void check(const ProgramAnalysis& analysis, Reporter& reporter) {
             const Formal& formal = formals[i];
             const Argument* argument = queries::argument_at(program, call, i);
             if (argument == nullptr || formal.passing != Passing::by_reference) continue;
-            const std::string_view given = type_of_variable(analysis, *argument, formal.is_array);
-            if (given.empty() || given == formal.type) continue;
+            const std::string given = type_of_variable(analysis, *argument);
+            const std::string wanted = spelled(formal.type, formal.is_array);
+            if (given.empty() || given == wanted) continue;
             reporter
                 .report({analysis, site.effect}, argument->span, "type",
                         {quoted(program, argument->span), std::string(given), std::to_string(i + 1),
-                         formal.name, called.program().name, std::string(formal.type)})
+                         formal.name, called.program().name, wanted})
                 .related.push_back({called.source(), formal.span, "the parameter is defined here"});
         }
     });

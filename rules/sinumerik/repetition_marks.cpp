@@ -11,7 +11,7 @@ void check(const ProgramFile& file, Reporter& reporter);
 extern const Rule repetition_marks{
     .code = "SIN305",
     .name = "repetition-marks",
-    .summary = "REPEAT names a label that the program does not have, or repeats nothing",
+    .summary = "REPEAT names a part that is not there or has its end before its start, or repeats nothing",
     .why =
         "The control searches the part, does not find it, and stops with an alarm. P says how often the part"
         " runs again.",
@@ -20,6 +20,9 @@ extern const Rule repetition_marks{
     .needs = {Capability::paired_words},
     .messages = {{"missing", "Missing label: the part '{0}' that is to be repeated is not there.",
                   "Add the label, or correct the name."},
+                 {"order",
+                  "Part the wrong way round: in '{0}' the end stands before '{1}', where the part begins.",
+                  "Exchange the two labels."},
                  {"passes", "Part that is repeated no times: '{0}' counts how often it runs again.",
                   "Write a number from {1} on."}},
     .bad = {{"sinumerik", R"nc(
@@ -43,7 +46,8 @@ M30
 namespace {
 
 void check(const ProgramFile& file, Reporter& reporter) {
-    report_syntax_error(file, SyntaxErrorKind::mark_missing, reporter, {.without = "missing"});
+    report_syntax_error(file, SyntaxErrorKind::mark_missing, reporter,
+                        {.with_cure = "order", .without = "missing"});
     report_syntax_error(file, SyntaxErrorKind::passes_out_of_range, reporter,
                         {.with_cure = "passes", .severity = Severity::warning});
 }

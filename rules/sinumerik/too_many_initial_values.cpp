@@ -6,15 +6,20 @@ namespace maclint::rules {
 extern const Rule too_many_initial_values{
     .code = "SIN213",
     .name = "too-many-initial-values",
-    .summary = "A definition gives an array more values than it has places",
-    .why = "The control stops with an alarm at the definition.",
+    .summary = "An array is given more values than it has places",
+    .why = "The control stops with an alarm at the block.",
     .severity = Severity::error,
     .precision = Precision::high,
     .needs = {Capability::paired_words},
-    .messages = {{"cure", "Too many values: '{0}' gives more than the {1} that the array has.",
+    .messages = {{"cure", "Too many values: '{0}' gives more than the {1}.",
                   "Remove those that are too many, or make the array larger."}},
     .bad = {{"sinumerik", R"nc(
 DEF INT ROW[3]=SET(1,2,3,4)
+M30
+)nc"},
+            {"sinumerik", R"nc(
+DEF INT ROW[5]
+ROW[3]=SET(1,2,3)
 M30
 )nc"}},
     .good = {{"sinumerik", R"nc(

@@ -93,7 +93,7 @@ void check(const ProgramAnalysis& analysis, Reporter& reporter) {
             if (argument == nullptr || formals[i].passing == Passing::by_reference || formals[i].is_array)
                 continue;
             const std::string_view message =
-                message_for(formals[i].type, queries::type_given(program, *argument));
+                message_for(formals[i].type, queries::type_given(analysis, *argument));
             if (message.empty()) continue;
             reporter
                 .report({analysis, site.effect}, argument->span, message,

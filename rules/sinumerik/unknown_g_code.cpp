@@ -53,26 +53,20 @@ M30
 
 namespace {
 
-/// Units, returns, lengths of tools, turned coordinates and canned cycles of FANUC and its like, which here
-/// have other names or none [T].
-bool is_of_another_control(std::string_view code) {
-    constexpr std::string_view codes[] = {"G20", "G21", "G28", "G30", "G43", "G44", "G49", "G52", "G68",
-                                          "G69", "G73", "G76", "G80", "G81", "G82", "G83", "G84", "G85",
-                                          "G86", "G87", "G88", "G89", "G92", "G98", "G99"};
-    return std::ranges::find(codes, code) != std::end(codes);
-}
-
 void check(const ProgramAnalysis& analysis, Reporter& reporter) {
+    const auto is_foreign = [&](const UnknownName& code) {
+        return queries::is_of_another_control(analysis.control(), code.name);
+    };
     std::vector<const UnknownName*> codes;
     std::set<std::string_view> of_another_control;
     for (const UnknownName& name : analysis.program().unknown_names) {
         if (!queries::is_g_code(name) || analysis.names_elsewhere().contain(name.name)) continue;
         codes.push_back(&name);
-        if (is_of_another_control(name.name)) of_another_control.insert(name.name);
+        if (is_foreign(name)) of_another_control.insert(name.name);
     }
     const bool is_slip = of_another_control.size() > 1;
     for (const UnknownName* code : codes)
-        if (queries::is_undefined(analysis, *code) || (is_slip && is_of_another_control(code->name)))
+        if (queries::is_undefined(analysis, *code) || (is_slip && is_foreign(*code)))
             reporter.report({analysis.file(), code->span}, code->span, "plain", {code->name}).same_cause =
                 code->name;
 }

@@ -1,7 +1,16 @@
 //! SIN208: the number of indices of an array.
+#include "analyzer/queries/names/array_indices.hpp"
+#include "rules/path.hpp"
 #include "rules/rule.hpp"
 
+#include <cstddef>
+#include <string>
+
 namespace maclint::rules {
+
+namespace {
+void check(const ProgramAnalysis& analysis, Reporter& reporter);
+}
 
 extern const Rule wrong_dimensions{
     .code = "SIN208",
@@ -30,7 +39,25 @@ M30
 )nc"}},
     .alarms = {{"SINUMERIK", "12400", "array element does not exist", false}},
     .sources = {"JP10 p.23", "FUND06 p.63"},
-    .check = SyntaxErrorKind::wrong_dimensions,
+    .check = &check,
 };
+
+namespace {
+
+std::string indices(std::size_t count) {
+    if (count == 0) return "no index";
+    return std::to_string(count) + (count == 1 ? " index" : " indices");
+}
+
+void check(const ProgramAnalysis& analysis, Reporter& reporter) {
+    const Program& program = analysis.program();
+    for (const SyntaxError& error : analysis.file().syntax_errors_in(program.span))
+        if (error.kind == SyntaxErrorKind::wrong_dimensions)
+            reporter.report({analysis, error.span}, error.span, "cure", {error.subject, error.cure});
+    for (const auto& [element, wanted] : queries::other_dimensions(analysis))
+        reporter.report({analysis, element}, element, "cure", {quoted(program, element), indices(wanted)});
+}
+
+} // namespace
 
 } // namespace maclint::rules

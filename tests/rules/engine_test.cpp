@@ -252,6 +252,29 @@ TEST_F(EngineTest, ArraysOfFilesOfDefinitionsHaveBounds) {
     EXPECT_THAT(with("DEF CHAN REAL SHOP_ROW[9], SHOP_MAP[2,4]\n"), IsEmpty());
 }
 
+TEST_F(EngineTest, VariablesOfFilesOfDefinitionsHaveDimensions) {
+    folder.write("A.MPF", "G0 X=SHOP_MAP[1]\nG0 X=SHOP_WAY[0]\nR1=SHOP_NAME[0]\nG0 X=SHOP_MAP[1,2]\nM30\n");
+    folder.write("SHOP.DEF", "DEF CHAN REAL SHOP_WAY, SHOP_MAP[2,3]\nDEF NCK STRING[9] SHOP_NAME\nM17\n");
+    EXPECT_THAT(places(engine.analyse(snapshot({"A.MPF"}))), ElementsAre("A.MPF:1 SIN208", "A.MPF:2 SIN208"));
+    folder.write("OTHER.DEF", "DEF CHAN REAL SHOP_WAY[5]\nM17\n"); // of which machine nobody knows
+    EXPECT_THAT(places(engine.analyse(snapshot({"A.MPF"}))), ElementsAre("A.MPF:1 SIN208"));
+}
+
+TEST_F(EngineTest, SingleVariablesOfFilesOfDefinitionsHaveATypeForParameters) {
+    folder.write("SHOP.DEF", "DEF CHAN INT SHOP_COUNT\nDEF CHAN REAL SHOP_WAY\nM17\n");
+    folder.write("FILL.SPF", "PROC FILL(VAR REAL PLACE)\nPLACE=1\nM17\n");
+    folder.write("A.MPF", "FILL(SHOP_COUNT)\nFILL(SHOP_WAY)\nM30\n");
+    EXPECT_THAT(places(engine.analyse(snapshot({"A.MPF"}))), ElementsAre("A.MPF:1 SIN404"));
+}
+
+TEST_F(EngineTest, NamesAreHeldAgainstThoseOfFilesOfDefinitions) {
+    folder.write("SHOP.DEF", "DEF CHAN REAL SHOP_WIDTH\nM17\n");
+    folder.write("A.MPF", "G0 X=SHOP_WIDT\nM30\n");
+    EXPECT_THAT(places(engine.analyse(snapshot({"A.MPF"}))), ElementsAre("A.MPF:1 SIN203"));
+    folder.write("A.MPF", "G0 Y=SHOP_WIDT+SHOP_WIDT\nM30\n"); // no slip: it stands twice
+    EXPECT_THAT(places(engine.analyse(snapshot({"A.MPF"}))), ElementsAre("A.MPF:1 SIN202"));
+}
+
 TEST_F(EngineTest, ArraysOfFilesOfDefinitionsHaveATypeForParameters) {
     folder.write("SHOP.DEF", "DEF CHAN INT SHOP_ROW[5]\nDEF CHAN REAL SHOP_WAY[5]\nM17\n");
     folder.write("FILL.SPF", "PROC FILL(VAR REAL PLACES[])\nPLACES[0]=1\nM17\n");

@@ -98,5 +98,23 @@ TEST(SinumerikParts, ThatEndWhereRepeatStandsAreLoops) {
         EXPECT_THAT(told(code, "ROW: G1 X5\nREPEAT ROW P=3\nM30\n"), IsEmpty()) << code;
 }
 
+TEST(SinumerikParts, BeginBeforeTheyEnd) {
+    const std::string labels = "ROW: G1 X5\nROW_END: G1 X6\n";
+    const auto round = told("SIN305", labels + "REPEAT ROW_END ROW P=2\nM30\n");
+    ASSERT_THAT(round, SizeIs(1));
+    EXPECT_THAT(round.front().message(), HasSubstr("the end stands before 'ROW_END'"));
+    EXPECT_THAT(told("SIN305", labels + "REPEAT ROW ROW_END\nREPEAT ROW ROW\nM30\n"), IsEmpty());
+    EXPECT_THAT(told("SIN305", labels + "ROW: G1 X7\nREPEAT ROW_END ROW\nM30\n"), IsEmpty());
+}
+
+TEST(SinumerikParts, AreNoConditionsInPaths) {
+    const auto left = told("MAC502", "ROW: G1 X5\nG41 X6\nREPEAT ROW P=2\nG0 Z5\nM30\n");
+    ASSERT_THAT(left, SizeIs(1));
+    std::string words;
+    for (const auto* steps : {&left.front().path, &left.front().related})
+        for (const RelatedLocation& step : *steps) words += step.text + "; ";
+    EXPECT_THAT(words, HasSubstr("the program goes on"));
+}
+
 } // namespace
 } // namespace maclint

@@ -377,6 +377,68 @@ TEST(SinumerikSlips, ACommandIsMeantWhereNoProgramHasTheName) {
     EXPECT_THAT(findings("SIN203", "PROBES\nTRANS2\nM30\n"), IsEmpty());
 }
 
+TEST(SinumerikSlips, AProgramIsMeantThatExternNames) {
+    EXPECT_THAT(findings("SIN203", "EXTERN DRILL_ROW(REAL)\nDRILL_RWO(5)\nM30\n"), SizeIs(1));
+    EXPECT_THAT(findings("SIN203", "EXTERN DRILL_1(REAL)\nDRILL_2(5)\nM30\n"), IsEmpty());
+}
+
+TEST(SinumerikSlips, AFunctionOrConstantIsMeantInACalculation) {
+    const std::string text = "DEF STRING[9] NAME_\nDEF BOOL DONE\nDEF FRAME BASE_\n";
+    EXPECT_THAT(findings("SIN203", text + "IF ISNUMER(NAME_) GOTOF ROW_1\nROW_1: M30\n"), SizeIs(1));
+    EXPECT_THAT(findings("SIN203", text + "BASE_=CTRAN(X,5)\nM30\n"), SizeIs(1));
+    EXPECT_THAT(findings("SIN203", text + "DONE=FLASE\nM30\n"), SizeIs(1));
+    EXPECT_THAT(findings("SIN203", text + "DONE=TRUE R1=SIN(30)\nM30\n"), IsEmpty());
+}
+
+TEST(SinumerikWords, LoseTheEqualsSignBeforeANameToo) {
+    const std::string text = "DEF REAL LENGTH\n";
+    EXPECT_THAT(findings("SIN105", text + "G1 XLENGTH F500\nM30\n"), SizeIs(1));
+    EXPECT_THAT(findings("SIN105", text + "G1 XIC(20) F500\nM30\n"), SizeIs(1));
+    EXPECT_THAT(findings("SIN105", text + "XLENGTH\nM30\n"), IsEmpty()); // a program may have the name
+    EXPECT_THAT(findings("SIN105", text + "G1 XWIDTH F500\nM30\n"), IsEmpty());
+    EXPECT_THAT(findings("SIN203", text + "G1 XLENGTH F500\nM30\n"), IsEmpty());
+}
+
+TEST(SinumerikFunctions, TakeTextsOrNumbers) {
+    const std::string text = "DEF STRING[9] NAME_\nDEF REAL WAY\nDEF INT STATE\n";
+    EXPECT_THAT(findings("SIN209", text + "R1=STRLEN(WAY)\nM30\n"), SizeIs(1));
+    EXPECT_THAT(findings("SIN209", text + "R1=SIN(\"30\")\nM30\n"), SizeIs(1));
+    EXPECT_THAT(findings("SIN209", text + "R1=STRLEN(NAME_) R2=NUMBER(NAME_)\nM30\n"), IsEmpty());
+    EXPECT_THAT(findings("SIN209", text + "WRITE(STATE,\"LOG\",WAY)\nM30\n"), SizeIs(1));
+    EXPECT_THAT(findings("MAC729", text + "WRITE(\"LOG\",NAME_)\nM30\n"), SizeIs(1));
+    EXPECT_THAT(findings("MAC729", text + "SETAL(65000,,\"LOG\")\nM30\n"), SizeIs(1));
+    EXPECT_THAT(findings("MAC729", text + "X=IC(5,2) Y=AC(5)\nM30\n"), SizeIs(1));
+    EXPECT_THAT(findings("MAC729", text + "WRITE(STATE,\"LOG\",NAME_)\nSETAL(65000)\nM30\n"), IsEmpty());
+}
+
+TEST(SinumerikArrays, TakeNoMoreValuesThanThereArePlacesFromAnElementOn) {
+    const std::string text = "DEF INT ROW[5], MAP[2,3]\n";
+    const auto beyond = findings("SIN213", text + "ROW[3]=SET(1,2,3)\nM30\n");
+    ASSERT_THAT(beyond, SizeIs(1));
+    EXPECT_THAT(beyond.front().message(), HasSubstr("more than the 2 places from there on"));
+    EXPECT_THAT(findings("SIN213", text + "ROW[2]=SET(1,2,3)\nROW[R1]=SET(1,2,3,4,5,6)\nM30\n"), IsEmpty());
+    EXPECT_THAT(findings("SIN213", text + "MAP[1,1]=(1,2,3)\nM30\n"), SizeIs(1));
+    EXPECT_THAT(findings("SIN213", text + "MAP[0,1]=SET(1,2,3)\nM30\n"), IsEmpty());
+}
+
+TEST(SinumerikParameters, AreArraysOrSingleVariables) {
+    const std::string sub =
+        "%_N_SUM_UP_SPF\nPROC SUM_UP(VAR REAL ROW[5],VAR REAL TOTAL)\nTOTAL=ROW[0]\nM17\n";
+    const auto called = [&](const std::string& arguments) {
+        return findings("SIN404", "%_N_A_MPF\nDEF REAL ROW[5], SUM_\nSUM_UP(" + arguments + ")\nM30\n" + sub);
+    };
+    EXPECT_THAT(called("ROW,SUM_"), IsEmpty());
+    EXPECT_THAT(called("SUM_,ROW"), SizeIs(2));
+    EXPECT_THAT(called("ROW,ROW[1]"), IsEmpty());
+}
+
+TEST(SinumerikNames, HaveTwoLettersInDefinitions) {
+    const auto told = findings("SIN113", "DEF INT G6_OLD,COUNT_\nM30\n");
+    ASSERT_THAT(told, SizeIs(1));
+    EXPECT_THAT(findings("MAC121", "DEF INT G6_OLD,COUNT_\nM30\n"), IsEmpty());
+    EXPECT_THAT(findings("SIN113", "DEF INT COUNT_=5, LAST_\nDEF REAL WAY=-R1\nM30\n"), IsEmpty());
+}
+
 TEST(SinumerikNames, OfAxesAreTheMachines) {
     const std::string text =
         "R1=$AA_IW[LOADER] POS[LOADER]=5 RELEASE(LOADER)\nLOADER=10\nG0 X=_OVR[2]\nM30\n";

@@ -3,6 +3,8 @@
 
 #include "analyzer/dialect/ascii.hpp"
 #include "analyzer/dialect/characters.hpp"
+#include "analyzer/dialect/near_names.hpp"
+#include "analyzer/dialect/sinumerik/keywords.hpp"
 #include "analyzer/dialect/sinumerik/lexer.hpp"
 #include "analyzer/dialect/sinumerik/parts.hpp"
 #include "analyzer/dialect/sinumerik/plain.hpp"
@@ -47,35 +49,6 @@ std::pair<std::string, const Ending*> parts_of(std::string_view written) {
     return {std::move(name), ending};
 }
 
-/// Whether the character is a word of its own in the name: `B` of `B_ALT`, of `COUNT_B`.
-bool stands_alone(std::string_view name, std::size_t at) {
-    return (at == 0 || name[at - 1] == '_') && (at + 1 == name.size() || name[at + 1] == '_');
-}
-
-/// Whether the names have different letters at the place, which tell two variables of a row apart: X_POS and
-/// Y_POS, DIST_X1 and DIST_Y1, COUNT_A and COUNT_B.
-bool are_told_apart(std::string_view written, std::string_view known, std::size_t at) {
-    constexpr std::string_view axes = "XYZABCUVWIJK";
-    if (written.size() != known.size() || at == written.size() ||
-        written.substr(at + 1) != known.substr(at + 1))
-        return false;
-    const auto is_axis = [&](char letter) { return axes.find(letter) != std::string_view::npos; };
-    return stands_alone(written, at) || (is_axis(written[at]) && is_axis(known[at]));
-}
-
-/// Names that differ in a figure alone are two variables of a row.
-bool is_one_letter_off(std::string_view written, std::string_view known) {
-    constexpr std::size_t shortest = 5; // of the variable: a letter of it may be lost
-    if (written.size() + 1 < shortest || known.size() < shortest || edit_distance(written, known, 1) != 1)
-        return false;
-    const auto figures = [](std::string_view name) { return std::ranges::count_if(name, is_digit); };
-    const auto differ = std::ranges::mismatch(written, known);
-    const auto is_figure = [](auto at, auto end) { return at != end && is_digit(*at); };
-    return figures(written) == figures(known) && !is_figure(differ.in1, written.end()) &&
-           !is_figure(differ.in2, known.end()) &&
-           !are_told_apart(written, known, static_cast<std::size_t>(differ.in1 - written.begin()));
-}
-
 } // namespace
 
 /// A call may write `SUB`, `_N_SUB`, `SUB_SPF` or `_N_SUB_SPF` [NCP23 p.490].
@@ -114,6 +87,16 @@ OpenProgram& Programs::current() {
     return open_.back();
 }
 
+/// The first label of a part whose last one stands before it alone; nullptr: the part can be found.
+const NamedPlace* part_turned_round(const OpenProgram& program, const Repetition& repetition) {
+    if (repetition.names_numbers || repetition.last.empty()) return nullptr;
+    const auto first = std::ranges::find(program.labels, repetition.first, &NamedPlace::name);
+    const auto behind = std::ranges::subrange(first, program.labels.end());
+    const auto is_last = [&](const NamedPlace& label) { return label.name == repetition.last; };
+    if (first == program.labels.end() || std::ranges::any_of(behind, is_last)) return nullptr;
+    return std::ranges::any_of(program.labels, is_last) ? &*first : nullptr;
+}
+
 /// A part that REPEAT names and that is not there; a GOTO whose label stands before it and behind it: it
 /// takes the one behind [NCI].
 void Programs::check_labels(const OpenProgram& program) {
@@ -128,6 +111,9 @@ void Programs::check_labels(const OpenProgram& program) {
     for (const NamedPlace& part : program.repeated)
         if (std::ranges::find(program.labels, part.name, &NamedPlace::name) == program.labels.end())
             error(SyntaxErrorKind::mark_missing, part, "");
+    for (const Repetition& repetition : program.repetitions)
+        if (const NamedPlace* first = part_turned_round(program, repetition))
+            error(SyntaxErrorKind::mark_missing, {{}, repetition.here}, first->name);
     for (const NamedPlace& jump : program.both_ways) {
         const NamedPlace* ahead = nullptr;
         bool behind = false;
@@ -142,7 +128,8 @@ void Programs::check_labels(const OpenProgram& program) {
     }
 }
 
-/// Of a name that stands once it is a slip where it is a letter off a variable of the program.
+/// Of a name that stands once it is a slip where it is a letter off a variable of the program, or off a word
+/// that stands for a value.
 void Programs::collect_names(OpenProgram& program) {
     std::vector<UnknownName> names;
     for (const auto& [name, uses] : program.unknown) {
@@ -150,12 +137,17 @@ void Programs::collect_names(OpenProgram& program) {
             program.unread.contains(name))
             continue;
         UnknownName unknown{name, uses.first, {}, true};
+        const bool is_once = uses.count == 1;
         const auto look_at = [&](const std::string& known) {
             const bool first = unknown.meant.empty() || known < unknown.meant;
-            if (uses.count == 1 && first && is_one_letter_off(name, known)) unknown.meant = known;
+            if (is_once && first && is_one_letter_off(name, known)) unknown.meant = known;
         };
         for (const auto& [known, variable] : program.variables) look_at(known);
         for (const auto& [known, array] : program.arrays) look_at(known);
+        if (unknown.meant.empty() && is_once && uses.is_read) {
+            unknown.meant = value_meant_by(name);
+            unknown.of_the_program = unknown.meant.empty();
+        }
         if (uses.is_read || !unknown.meant.empty()) names.push_back(std::move(unknown));
     }
     std::ranges::sort(names, {}, [](const UnknownName& name) { return name.span.begin; });

@@ -81,6 +81,22 @@ std::optional<SyntaxError> split_declaration(std::string_view text, std::span<co
     return error_at(text, SyntaxErrorKind::split_declaration, {tokens.front().span.begin, last.span.end}, "");
 }
 
+/// `DEF INT G6_OLD`: the parser takes what is before the second letter for a word of its own.
+std::optional<SyntaxError> malformed_name(std::string_view text, std::span<const Token> tokens) {
+    if (tokens.empty() || in_capitals(text_of(text, tokens.front())) != "DEF") return std::nullopt;
+    int depth = 0; // sizes and values stand in brackets
+    for (std::size_t i = 1; i < tokens.size(); ++i) {
+        const std::string_view name = text_of(text, tokens[i]);
+        depth += tokens[i].kind == TokenKind::open ? 1 : tokens[i].kind == TokenKind::close ? -1 : 0;
+        const bool is_name =
+            tokens[i].kind == TokenKind::name && depth == 0 && text_of(text, tokens[i - 1]) != "=";
+        if (is_name && name.size() > 1 && is_digit(name[1]))
+            return error_at(text, SyntaxErrorKind::malformed_name, tokens[i].span,
+                            "its first two characters are not letters or _");
+    }
+    return std::nullopt;
+}
+
 /// `WHLIE R1<5`
 std::optional<SyntaxError> misspelled_opener(std::string_view text, std::span<const Token> tokens) {
     const auto word = std::ranges::find(tokens, TokenKind::name, &Token::kind);
@@ -141,7 +157,7 @@ SyntaxError find_parse_error(std::string_view text, Span block, const syntax::Tr
 std::optional<SyntaxError> find_cause(std::string_view text, Span block) {
     const std::vector<Token> tokens = tokens_of(text, block);
     for (const auto cause : {&bare_remark, &unclosed_text, &placeholder, &split_declaration,
-                             &bracket_mismatch, &case_without_jump, &misspelled_opener})
+                             &bracket_mismatch, &case_without_jump, &malformed_name, &misspelled_opener})
         if (std::optional<SyntaxError> found = cause(text, tokens)) return found;
     return std::nullopt;
 }

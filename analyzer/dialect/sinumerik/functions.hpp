@@ -1,4 +1,4 @@
-//! The functions whose arguments are known: what they compute, how many arguments they take, what they give.
+//! The functions and procedures whose arguments are known: what they compute, take and give.
 #pragma once
 
 #include "analyzer/program/model.hpp"
@@ -13,7 +13,10 @@ struct FunctionRow {
     std::string_view name; ///< capitals
     Operation operation;   ///< `unknown` for what has no model
     std::size_t least, most;
-    VariableType gives;
+    VariableType gives; ///< of a procedure, which gives nothing, any
+    /// What the arguments are, a letter each; any where there is another or none.
+    std::string_view takes;
+    static constexpr char takes_number = 'n', takes_text = 't';
 };
 
 /// Nothing for a function of which the count of arguments is not certain; words.hpp knows more names.

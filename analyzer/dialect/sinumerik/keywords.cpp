@@ -3,6 +3,7 @@
 
 #include "analyzer/dialect/ascii.hpp"
 #include "analyzer/dialect/characters.hpp"
+#include "analyzer/dialect/near_names.hpp"
 #include "analyzer/dialect/sinumerik/g_codes.hpp"
 #include "analyzer/dialect/sinumerik/lexer.hpp"
 #include "analyzer/dialect/sinumerik/words.hpp"
@@ -25,25 +26,6 @@ std::string_view one_slip_from(std::span<const std::string_view> words, std::str
     const auto word = std::ranges::find_if(
         words, [&](std::string_view known) { return edit_distance(written, known, 1) <= 1; });
     return word == words.end() ? std::string_view{} : *word;
-}
-
-/// An exchange of neighbours, a letter lost or doubled. Where the name can be no program, it may be as short
-/// as SUPA and MCALL.
-bool is_typing_slip(std::string_view written, std::string_view meant, bool may_be_program = true) {
-    constexpr std::size_t shortest = 4;
-    if (meant.size() < shortest || written == meant) return false;
-    const auto at = static_cast<std::size_t>(std::ranges::mismatch(written, meant).in1 - written.begin());
-    const std::string_view rest = written.substr(at), rest_meant = meant.substr(at);
-    if (written.size() == meant.size())
-        return rest.size() >= 2 && rest[0] == rest_meant[1] && rest[1] == rest_meant[0] &&
-               rest.substr(2) == rest_meant.substr(2);
-    if (meant.size() == shortest && may_be_program) return false; // too many names are as near
-    // LIFT and ROTA are names of their own, no TLIFT and PROTA.
-    const std::size_t shortest_with_a_loss = may_be_program ? 6 : 5;
-    if (written.size() + 1 == meant.size())
-        return at > 0 && meant.size() >= shortest_with_a_loss && rest == rest_meant.substr(1);
-    return written.size() == meant.size() + 1 && at > 0 && rest[0] == written[at - 1] &&
-           rest.substr(1) == rest_meant;
 }
 
 /// Words that stand at the head of a block without an `=` behind them.
@@ -103,6 +85,25 @@ std::string_view command_meant_by(std::string_view capitals, bool may_be_program
         if (std::ranges::none_of(row.name, is_digit) && is_typing_slip(capitals, row.name, may_be_program))
             return row.name;
     return {};
+}
+
+namespace {
+
+/// No program can stand where a value does.
+std::string_view word_meant_by(std::string_view capitals, WordKind kind) {
+    for (const WordRow& row : words())
+        if (row.kind == kind && is_typing_slip(capitals, row.name, false)) return row.name;
+    return {};
+}
+
+} // namespace
+
+std::string_view function_meant_by(std::string_view capitals) {
+    return word_meant_by(capitals, WordKind::function);
+}
+
+std::string_view value_meant_by(std::string_view capitals) {
+    return word_meant_by(capitals, WordKind::constant);
 }
 
 std::string_view cycle_meant_by(std::string_view capitals) {

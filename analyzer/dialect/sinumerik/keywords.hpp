@@ -28,6 +28,10 @@ inline constexpr std::string_view type_names[] = {"REAL", "INT", "BOOL", "CHAR",
                                                     bool at_the_begin);
 /// A procedure, a code of several letters, MCALL or CALL. A name beside other words can be no program.
 [[nodiscard]] std::string_view command_meant_by(std::string_view capitals, bool may_be_program);
+/// A function, where a name has arguments in a calculation: ISNUMER(NAME).
+[[nodiscard]] std::string_view function_meant_by(std::string_view capitals);
+/// TRUE or FALSE, where a name stands for a value.
+[[nodiscard]] std::string_view value_meant_by(std::string_view capitals);
 /// A cycle of the same number: CYCEL81.
 [[nodiscard]] std::string_view cycle_meant_by(std::string_view capitals);
 

@@ -119,6 +119,13 @@ constexpr NamePlace name_places[] = {
     {NamePlace::Names::block, "REPEATB", "REPEATB"},
 };
 
+/// Units, returns, lengths of tools, turned coordinates and canned cycles of FANUC and its like, which here
+/// have other names or none [T].
+constexpr std::string_view foreign_codes[] = {"G20", "G21", "G28", "G30", "G43", "G44", "G49", "G52", "G68",
+                                              "G69", "G73", "G76", "G80", "G81", "G82", "G83", "G84", "G85",
+                                              "G86", "G87", "G88", "G89", "G92", "G98", "G99"};
+static_assert(std::ranges::is_sorted(foreign_codes));
+
 std::string_view name_of(SystemType type) {
     switch (type) {
     case SystemType::integer: return "INT";
@@ -151,7 +158,7 @@ std::string about_system_variable(std::string_view name) {
 LanguageTables language_words() {
     static const std::vector<LanguageWord> all = all_words();
     static const std::vector<BroughtCycle> cycles = brought_cycles();
-    return {all, name_places, cycles, &about_system_variable};
+    return {all, name_places, cycles, &about_system_variable, foreign_codes};
 }
 
 } // namespace maclint::sinumerik

@@ -200,6 +200,7 @@ void BlockLowering::lower_declarator(const Node& node, const Node& type) {
     builder_->declare(variable, declaration);
     open_->variables.emplace(capitals, variable);
     give_name(capitals);
+    if (open_->is_for_all) builder_->add_array({capitals, written, {}}); // of no dimension
     if (initial && !declaration.initial) effect({Assign{variable, *initial}, span(node)});
 }
 
@@ -225,10 +226,8 @@ void BlockLowering::lower_named(const Node& name, const Node* arguments, const N
             report(SyntaxErrorKind::foreign_keyword, here, "WHILE, FOR or LOOP with the word that ends it");
             return builder_->add_unreadable({{}, {}, true, false}, here);
         }
-        if (arguments == nullptr &&
-            (report_letter_o(capitals, here) || report_value_behind_address(capitals, here) ||
-             report_slip(capitals, here)))
-            return;
+        if (report_value_behind_address(capitals, arguments != nullptr, here)) return;
+        if (arguments == nullptr && (report_letter_o(capitals, here) || report_slip(capitals, here))) return;
         note_misspelt_word(capitals, span(name), arguments != nullptr);
         return call_program(span(name), arguments, calls::by_name, here);
     }
@@ -260,6 +259,8 @@ void BlockLowering::lower_procedure(std::string_view name, const Node* arguments
         return go_back(label, whole);
     }
     if (name == "SETAL" && arguments != nullptr) check_alarm_number(*arguments);
+    if (const FunctionRow* row = find_function(name); row != nullptr && arguments != nullptr)
+        check_arguments(*row, whole, *arguments);
     constexpr std::string_view of_values[] = {"CANCEL", "MSG", "SETAL", "TRACYL", "TRANSMIT"};
     const bool takes_axes = std::ranges::find(of_values, name) == std::end(of_values);
     std::vector<ExpressionId> values;

@@ -252,7 +252,10 @@ ExpressionId BlockLowering::lower_function(const Node& node) {
     if (name == nullptr || list == nullptr) return unreadable(span(node));
     const std::vector<ExpressionId> operands = values_of(list);
     const FunctionRow* row = find_function(upper_text(*name));
-    if (row != nullptr) check_arguments(*row, node, *list);
+    if (row != nullptr)
+        check_arguments(*row, span(node), *list);
+    else
+        note_misspelt_function(*name);
     if (row != nullptr && row->operation != Operation::unknown && operands.size() == row->least &&
         row->least == row->most)
         return apply(row->operation, operands, span(node));

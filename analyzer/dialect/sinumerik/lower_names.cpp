@@ -173,25 +173,53 @@ void BlockLowering::check_index(const Node& node, std::span<const ExpressionId> 
         if (sizes[i]) builder_->add_array_index({indices[i], *sizes[i], span(node), array->second.declared});
 }
 
+/// The values of `SET(1,2,3)` or `(1,2,3)`; nullptr: there is no such list.
+const syntax::Node* BlockLowering::values_listed(const Node& value) const {
+    if (kind_of(value) == Kind::value_list) return &value;
+    const Node* function = kind_of(value) == Kind::function_call ? child(value, Field::function) : nullptr;
+    const bool is_set = function != nullptr && upper_text(*function) == "SET";
+    return is_set ? child(value, Field::arguments) : nullptr;
+}
+
 /// `DEF INT ROW[3]=SET(1,2,3,4)`
 void BlockLowering::check_initial_values(const Node& declarator) {
     const Node* size = child(declarator, Field::size);
     const Node* value = child(declarator, Field::value);
     if (size == nullptr || value == nullptr) return;
-    const Node* list = kind_of(*value) == Kind::value_list ? value : nullptr;
-    if (kind_of(*value) == Kind::function_call)
-        if (const Node* function = child(*value, Field::function);
-            function != nullptr && upper_text(*function) == "SET")
-            list = child(*value, Field::arguments);
-    if (list == nullptr) return;
     double places = 1;
     for_each_child(*size,
                    [&](const Node& part) { places *= literal_value(lower_expression(part)).value_or(0); });
+    if (places > 0) check_values_fit(*value, places, "that the array has");
+}
+
+/// `ROW[2]=SET(1,2)` of an array of three.
+void BlockLowering::check_stored_values(const Node& element, const Node& value) {
+    const Node* name = child(element, Field::name);
+    const Node* list = child(element, Field::index);
+    if (name == nullptr || list == nullptr || values_listed(value) == nullptr) return;
+    const auto array = open_->arrays.find(upper_text(*name));
+    if (array == open_->arrays.end()) return;
+    const std::vector<ExpressionId> indices = values_of(list);
+    const auto& sizes = array->second.sizes;
+    if (indices.size() != sizes.size()) return;
+    double places = 1, before = 0; // the last index runs first
+    for (std::size_t i = 0; i < sizes.size(); ++i) {
+        const auto index = literal_value(indices[i]);
+        if (!sizes[i] || !index || *index < 0 || *index >= *sizes[i]) return;
+        places *= *sizes[i];
+        before = before * *sizes[i] + *index;
+    }
+    check_values_fit(value, places - before, "from there on");
+}
+
+void BlockLowering::check_values_fit(const Node& value, double places, std::string_view where) {
+    const Node* list = values_listed(value);
+    if (list == nullptr) return;
     std::size_t values = 1; // gaps count, too
     for_each_below(*list, [&](const Node& part) { values += !part.named && text(part) == "," ? 1U : 0U; });
-    if (places > 0 && static_cast<double>(values) > places)
-        report(SyntaxErrorKind::too_many_initial_values, span(*value),
-               std::to_string(static_cast<std::int64_t>(places)));
+    if (static_cast<double>(values) > places)
+        report(SyntaxErrorKind::too_many_initial_values, span(value),
+               count_of(static_cast<std::size_t>(places), "place ", "places ").append(where));
 }
 
 /// Characters between the quotation marks.
@@ -236,9 +264,9 @@ void BlockLowering::note_unknown(const Node& name, bool is_read) {
     uses.is_read |= is_read;
 }
 
-/// How many arguments a function takes. A name that the program does not define may be a macro, and hold
-/// several.
-void BlockLowering::check_arguments(const FunctionRow& function, const Node& call, const Node& list) {
+/// How many arguments a function takes, and of which type. A name that the program does not define may be a
+/// macro, and hold several.
+void BlockLowering::check_arguments(const FunctionRow& function, Span call, const Node& list) {
     std::size_t places = 1, values = 0;
     bool may_be_more = false;
     for_each_below(list, [&](const Node& part) {
@@ -248,11 +276,24 @@ void BlockLowering::check_arguments(const FunctionRow& function, const Node& cal
         may_be_more |= kind_of(part) == Kind::name && variable_named(upper_text(part)) == nullptr;
     });
     const bool are_too_few = places < function.least || values == 0;
-    if (places <= function.most && (may_be_more || !are_too_few)) return;
+    if (places <= function.most && (may_be_more || !are_too_few))
+        return places == values ? check_types(function, list) : void();
     std::string cure = count_of(function.least, "argument", "arguments");
     if (function.least != function.most)
         cure = std::to_string(function.least) + " or " + count_of(function.most, "argument", "arguments");
-    report(SyntaxErrorKind::argument_count, span(call), std::move(cure));
+    report(SyntaxErrorKind::argument_count, call, std::move(cure));
+}
+
+void BlockLowering::check_types(const FunctionRow& function, const Node& list) {
+    std::string_view wanted = function.takes;
+    for_each_child(list, [&](const Node& value) {
+        if (wanted.empty()) return;
+        check_stored(wanted.front() == FunctionRow::takes_text     ? text_type
+                     : wanted.front() == FunctionRow::takes_number ? "REAL"
+                                                                   : "",
+                     value);
+        wanted.remove_prefix(1);
+    });
 }
 
 // ---- types

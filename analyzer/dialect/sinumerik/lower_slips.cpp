@@ -1,6 +1,7 @@
 //! Words of the language that are misspelt: the grammar takes them for names.
 #include "analyzer/dialect/ascii.hpp"
 #include "analyzer/dialect/characters.hpp"
+#include "analyzer/dialect/near_names.hpp"
 #include "analyzer/dialect/sinumerik/diagnose.hpp"
 #include "analyzer/dialect/sinumerik/g_codes.hpp"
 #include "analyzer/dialect/sinumerik/keywords.hpp"
@@ -52,21 +53,31 @@ bool BlockLowering::report_letter_o_in_number(const Node& letter) {
     return true;
 }
 
-/// `G0 XR1`, `G96 S200 LIMS2000`: the = before the value is gone. Alone it may be a program.
-bool BlockLowering::report_value_behind_address(std::string_view capitals, Span here) {
-    if (words_in_block() < 2) return false;
+/// How many characters the address has where the name is one and its value, without the = between them:
+/// `XR1`, `LIMS2000`, `XLENGTH` of a variable LENGTH, `XIC(5)`. 0: it is none.
+std::size_t BlockLowering::address_without_equals(std::string_view capitals, bool has_arguments) const {
     constexpr std::string_view addresses = "XYZABCUVWIJKFS", figures = "0123456789";
+    constexpr std::string_view of_axes = "XYZABCUVWIJK";
+    constexpr std::string_view ways[] = {"AC", "ACN", "ACP", "DC", "IC"};
+    const bool is_axis = of_axes.find(capitals.front()) != std::string_view::npos;
+    if (has_arguments)
+        return is_axis && std::ranges::find(ways, capitals.substr(1)) != std::end(ways) ? 1 : 0;
+    const bool is_letter = addresses.find(capitals.front()) != std::string_view::npos;
+    if (is_letter && capitals.size() > 2 && variable_named(capitals.substr(1)) != nullptr) return 1;
     const std::size_t figures_from = capitals.find_last_not_of(figures) + 1;
-    if (figures_from == capitals.size()) return false;
+    if (figures_from == capitals.size()) return 0;
     const std::string_view name = capitals.substr(0, figures_from);
     const WordRow* row = find_word(name); // CR10 is CR=10 rather than C=R10
-    const bool is_address = row != nullptr && row->kind == WordKind::address;
-    const bool takes_variable = !is_address && name.size() == 2 && name[1] == 'R' &&
-                                addresses.find(name[0]) != std::string_view::npos;
-    if (!takes_variable && !is_address) return false;
-    const std::size_t address = takes_variable ? 1 : name.size();
+    if (row != nullptr && row->kind == WordKind::address) return name.size();
+    return name.size() == 2 && name[1] == 'R' && is_letter ? 1 : 0;
+}
+
+/// `G0 XR1`, `G96 S200 LIMS2000`: the = before the value is gone. Alone it may be a program.
+bool BlockLowering::report_value_behind_address(std::string_view capitals, bool has_arguments, Span here) {
+    const std::size_t address = words_in_block() < 2 ? 0 : address_without_equals(capitals, has_arguments);
+    if (address == 0) return false;
     std::string cure(capitals.substr(0, address));
-    cure.append("=").append(capitals.substr(address));
+    cure.append("=").append(program_->slice({here.begin + static_cast<Offset>(address), here.end}));
     const Offset behind = here.begin + static_cast<Offset>(address);
     report_with(SyntaxErrorKind::missing_equals, here, std::move(cure),
                 {"Write = behind the address", true, {{{behind, behind}, "="}}});
@@ -102,7 +113,19 @@ void BlockLowering::note_misspelt_word(std::string_view capitals, Span here, boo
     const auto counts = static_cast<std::size_t>(std::ranges::count_if(items_, is_count));
     std::string_view meant = command_meant_by(capitals, words_in_block() - counts == 1);
     if (meant.empty() && has_arguments) meant = cycle_meant_by(capitals);
-    if (!meant.empty()) builder_->add_unknown_name({std::string(capitals), here, std::string(meant), false});
+    if (!meant.empty())
+        return builder_->add_unknown_name({std::string(capitals), here, std::string(meant), false});
+    for (const ExternalDeclaration& declared : program_->externals)
+        if (is_typing_slip(capitals, declared.name))
+            return builder_->add_unknown_name({std::string(capitals), here, declared.name, true});
+}
+
+/// `ISNUMER(SIZE_)` in a calculation, where no program can stand.
+void BlockLowering::note_misspelt_function(const Node& name) {
+    const std::string capitals = upper_text(name);
+    if (find_word(capitals) != nullptr || open_->macros.contains(capitals)) return;
+    if (const std::string_view meant = function_meant_by(capitals); !meant.empty())
+        builder_->add_unknown_name({capitals, span(name), std::string(meant), false});
 }
 
 /// `DFE INT COUNT`, `PORC SLOT(REAL DEPTH)`: the block declares something, and nobody knows what.

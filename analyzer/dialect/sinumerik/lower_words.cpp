@@ -149,6 +149,7 @@ void BlockLowering::lower_assignment(const Node& node) {
     const Node* right = child(node, Field::right);
     if (left == nullptr || right == nullptr) return;
     check_stored(type_of_value(*left), *right);
+    if (kind_of(*left) == Kind::indexed_name) check_stored_values(*left, *right);
     if (kind_of(*left) == Kind::name) check_length_of_text(upper_text(*left), *right);
     const ExpressionId value =
         kind_of(*right) == Kind::value_list ? lower_all(*right, span(*right)) : lower_expression(*right);

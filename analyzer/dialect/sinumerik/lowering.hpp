@@ -104,9 +104,11 @@ class BlockLowering : private TreeLowering {
     // ---- misspelt words of the language (lower_slips.cpp)
     bool report_letter_o_in_number(const Node& letter);
     bool report_letter_o(std::string_view capitals, Span here);
-    bool report_value_behind_address(std::string_view capitals, Span here);
+    bool report_value_behind_address(std::string_view capitals, bool has_arguments, Span here);
+    [[nodiscard]] std::size_t address_without_equals(std::string_view capitals, bool has_arguments) const;
     bool report_slip(std::string_view capitals, Span here);
     void note_misspelt_word(std::string_view capitals, Span here, bool has_arguments);
+    void note_misspelt_function(const Node& name);
     bool lower_misspelt_declaration(std::span<const Node* const> items);
     void pass_over_names(Span block, bool of_the_program);
     [[nodiscard]] std::size_t words_in_block() const;
@@ -162,7 +164,8 @@ class BlockLowering : private TreeLowering {
     void check_alone(std::span<const Node* const> items, const Block& head);
     void check_length(std::span<const Node* const> items);
     void check_functions(std::span<const Node* const> items);
-    void check_arguments(const FunctionRow& function, const Node& call, const Node& list);
+    void check_arguments(const FunctionRow& function, Span call, const Node& list);
+    void check_types(const FunctionRow& function, const Node& list);
     void check_alarm_number(const Node& arguments);
     void report_expected(Span here, std::string_view expected);
     void report_with(SyntaxErrorKind kind, Span here, std::string cure, Remedy remedy);
@@ -175,7 +178,10 @@ class BlockLowering : private TreeLowering {
     void check_program_name(const Node& name);
     void lower_index(const Node& node, Span whole);
     void check_index(const Node& node, std::span<const ExpressionId> indices);
+    [[nodiscard]] const Node* values_listed(const Node& value) const;
     void check_initial_values(const Node& declarator);
+    void check_stored_values(const Node& element, const Node& value);
+    void check_values_fit(const Node& value, double places, std::string_view where);
     void check_text(const Node& node);
     [[nodiscard]] std::size_t length_of_text(const Node& text_node) const;
     void note_length_of_text(const std::string& variable, const Node& type);

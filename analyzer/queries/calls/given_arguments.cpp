@@ -7,6 +7,18 @@
 #include <algorithm>
 
 namespace maclint::queries {
+namespace {
+
+std::string_view type_of(const Program& program, ExpressionId value) {
+    const auto& node = program.expressions[value].node;
+    if (std::holds_alternative<Text>(node)) return "STRING";
+    if (std::holds_alternative<Literal>(node)) return "REAL";
+    const auto* load = std::get_if<Load>(&node);
+    const Declaration* declared = load == nullptr ? nullptr : program.declaration_of(load->variable);
+    return declared == nullptr ? std::string_view{} : declared->type_name;
+}
+
+} // namespace
 
 const Argument* argument_at(const Program& program, const Call& call, std::size_t place) {
     const auto arguments = program.arguments_of(call);
@@ -17,20 +29,20 @@ const Argument* argument_at(const Program& program, const Call& call, std::size_
     return found == arguments.end() ? nullptr : &*found;
 }
 
-std::string_view type_given(const Program& program, const Argument& argument) {
-    const auto& node = program.expressions[argument.value].node;
-    if (std::holds_alternative<Text>(node)) return "STRING";
-    if (std::holds_alternative<Literal>(node)) return "REAL";
-    const auto* load = std::get_if<Load>(&node);
-    const Declaration* declared = load == nullptr ? nullptr : program.declaration_of(load->variable);
-    return declared == nullptr ? std::string_view{} : declared->type_name;
+std::string_view type_given(const ProgramAnalysis& analysis, const Argument& argument) {
+    const std::string_view own = type_of(analysis.program(), argument.value);
+    if (!own.empty()) return own;
+    const ArrayDefinition* given = analysis.names_elsewhere().array(in_capitals(argument.address));
+    return given == nullptr || !given->sizes.empty() ? std::string_view{} : given->type;
 }
 
 const ArrayDefinition* array_given(const ProgramAnalysis& analysis, const Argument& argument) {
     const std::string name = in_capitals(argument.address);
     const auto& arrays = analysis.program().arrays;
     const auto own = std::ranges::find(arrays, name, &ArrayDefinition::name);
-    return own == arrays.end() ? analysis.names_elsewhere().array(name) : &*own;
+    if (own != arrays.end()) return &*own;
+    const ArrayDefinition* given = analysis.names_elsewhere().array(name);
+    return given == nullptr || given->sizes.empty() ? nullptr : given;
 }
 
 void for_each_known_call(

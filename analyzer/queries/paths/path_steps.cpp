@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <ranges>
+#include <variant>
 
 namespace maclint::queries {
 namespace {
@@ -77,6 +78,16 @@ Span span_of_step(const ProgramAnalysis& analysis, flow::EdgeId step) {
         nodes[behind].part.begin >= nodes[edge.from].part.end)
         return nodes[behind].part;
     return nodes[edge.from].part;
+}
+
+bool repeats_by_a_word(const ProgramAnalysis& analysis, const flow::Edge& edge) {
+    if (!edge.condition) return false;
+    const Program& program = analysis.program();
+    const Span condition = program.expressions[*edge.condition].span;
+    return std::ranges::any_of(
+        program.effects_in(analysis.graph().nodes[edge.from].effects), [&](const Effect& effect) {
+            return effect.span == condition && std::holds_alternative<Guarded>(effect.what);
+        });
 }
 
 } // namespace maclint::queries

@@ -23,5 +23,7 @@ namespace maclint::queries {
 
 /// The bytes at which the step is decided: the condition, the jump, or the block that it starts from.
 [[nodiscard]] Span span_of_step(const ProgramAnalysis& analysis, flow::EdgeId step);
+/// Whether the text of a branch writes no condition, but a word that repeats a part of the program by itself.
+[[nodiscard]] bool repeats_by_a_word(const ProgramAnalysis& analysis, const flow::Edge& edge);
 
 } // namespace maclint::queries
