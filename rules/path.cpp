@@ -25,10 +25,7 @@ constexpr std::size_t most_looked_at = 1024; ///< bytes of a quote
 std::string words_for(const ProgramAnalysis& analysis, const flow::Edge& edge) {
     switch (edge.kind) {
     case flow::EdgeKind::next: return {};
-    case flow::EdgeKind::branch:
-        if (queries::repeats_by_a_word(analysis, edge))
-            return edge.holds ? "once more" : "the program goes on";
-        return edge.holds ? "true" : "false";
+    case flow::EdgeKind::branch: return std::string(queries::outcome_of(analysis, edge));
     case flow::EdgeKind::jump:
     case flow::EdgeKind::computed:
         return "jumps to line " + line_number(analysis.file(), analysis.graph().nodes[edge.to].part.begin);

@@ -260,6 +260,14 @@ TEST_F(EngineTest, VariablesOfFilesOfDefinitionsHaveDimensions) {
     EXPECT_THAT(places(engine.analyse(snapshot({"A.MPF"}))), ElementsAre("A.MPF:1 SIN208"));
 }
 
+TEST_F(EngineTest, AProgramThatIsNotThereIsNoSlipOfOneThatExternNames) {
+    folder.write("A.MPF", "EXTERN DRILL_ROW(REAL)\nDRILL_RWO(5)\nM30\n");
+    EXPECT_THAT(places(engine.analyse(snapshot({"A.MPF"}))), ElementsAre("A.MPF:2 SIN203"));
+    folder.write(".maclint.json", R"({"complete": true})");
+    settings = cli::Settings({});
+    EXPECT_THAT(places(engine.analyse(snapshot({"A.MPF"}))), ElementsAre("A.MPF:2 MAC402"));
+}
+
 TEST_F(EngineTest, SingleVariablesOfFilesOfDefinitionsHaveATypeForParameters) {
     folder.write("SHOP.DEF", "DEF CHAN INT SHOP_COUNT\nDEF CHAN REAL SHOP_WAY\nM17\n");
     folder.write("FILL.SPF", "PROC FILL(VAR REAL PLACE)\nPLACE=1\nM17\n");

@@ -35,6 +35,11 @@ bool stands_once(const Program& program, std::string_view capitals) {
 
 std::string meant_by(const ProgramAnalysis& analysis, const UnknownName& name) {
     const NamesElsewhere& elsewhere = analysis.names_elsewhere();
+    // Where all programs are there, that one is missing is more than that its name is near another.
+    const auto& externals = analysis.program().externals;
+    if (analysis.complete() &&
+        std::ranges::find(externals, name.meant, &ExternalDeclaration::name) != externals.end())
+        return {};
     if (elsewhere.contain(name.name) || analysis.workspace().count_named(name.name) != 0) return {};
     if (!name.meant.empty() || !elsewhere.are_all || elsewhere.defined == nullptr) return name.meant;
     std::string meant; // the first by the alphabet

@@ -41,6 +41,16 @@ bool has_choice(const ProgramAnalysis& analysis, flow::EdgeId taken, const std::
     });
 }
 
+bool repeats_by_a_word(const ProgramAnalysis& analysis, const flow::Edge& edge) {
+    if (!edge.condition) return false;
+    const Program& program = analysis.program();
+    const Span condition = program.expressions[*edge.condition].span;
+    return std::ranges::any_of(
+        program.effects_in(analysis.graph().nodes[edge.from].effects), [&](const Effect& effect) {
+            return effect.span == condition && std::holds_alternative<Guarded>(effect.what);
+        });
+}
+
 } // namespace
 
 std::optional<std::vector<flow::EdgeId>> shortest_path(const ProgramAnalysis& analysis, flow::NodeId from,
@@ -80,14 +90,9 @@ Span span_of_step(const ProgramAnalysis& analysis, flow::EdgeId step) {
     return nodes[edge.from].part;
 }
 
-bool repeats_by_a_word(const ProgramAnalysis& analysis, const flow::Edge& edge) {
-    if (!edge.condition) return false;
-    const Program& program = analysis.program();
-    const Span condition = program.expressions[*edge.condition].span;
-    return std::ranges::any_of(
-        program.effects_in(analysis.graph().nodes[edge.from].effects), [&](const Effect& effect) {
-            return effect.span == condition && std::holds_alternative<Guarded>(effect.what);
-        });
+std::string_view outcome_of(const ProgramAnalysis& analysis, const flow::Edge& edge) {
+    if (repeats_by_a_word(analysis, edge)) return edge.holds ? "once more" : "the program goes on";
+    return edge.holds ? "true" : "false";
 }
 
 } // namespace maclint::queries

@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <optional>
 #include <span>
+#include <string_view>
 #include <vector>
 
 namespace maclint::queries {
@@ -23,7 +24,8 @@ namespace maclint::queries {
 
 /// The bytes at which the step is decided: the condition, the jump, or the block that it starts from.
 [[nodiscard]] Span span_of_step(const ProgramAnalysis& analysis, flow::EdgeId step);
-/// Whether the text of a branch writes no condition, but a word that repeats a part of the program by itself.
-[[nodiscard]] bool repeats_by_a_word(const ProgramAnalysis& analysis, const flow::Edge& edge);
+/// How a branch was decided: "true" or "false"; "once more" or "the program goes on" where the text writes no
+/// condition, but a word that repeats a part of the program by itself.
+[[nodiscard]] std::string_view outcome_of(const ProgramAnalysis& analysis, const flow::Edge& edge);
 
 } // namespace maclint::queries
