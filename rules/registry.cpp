@@ -348,7 +348,8 @@
     RULE(tapping_without_position)               /* SIN506 */ \
     RULE(action_on_local_variable)               /* SIN601 */ \
     RULE(action_id)                              /* SIN602 */ \
-    RULE(action_left)                            /* SIN603 */
+    RULE(action_left)                            /* SIN603 */ \
+    RULE(difference_compared_with_zero)          /* SIN701 */
 // clang-format on
 
 namespace maclint {

@@ -63,7 +63,7 @@ class EditedFolder {
 
     /// One thing that people do; the name of the file that they look at then.
     std::string edit() {
-        const std::string name = any_file();
+        std::string name = any_file();
         switch (dice_.below(8)) {
         case 0: return save(name);
         case 1: return move(name);
@@ -131,8 +131,8 @@ class EditedFolder {
     }
 
     std::string move(const std::string& name) {
-        const std::string other = (name.starts_with("moved/") ? "fanuc/good/" : "moved/") +
-                                  fs::path(name).filename().generic_string();
+        std::string other = (name.starts_with("moved/") ? "fanuc/good/" : "moved/") +
+                            fs::path(name).filename().generic_string();
         if (files_.contains(other)) return name;
         write(other, files_.at(name));
         fs::remove(folder_.path() / name);

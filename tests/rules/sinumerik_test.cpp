@@ -411,6 +411,20 @@ TEST(SinumerikFunctions, TakeTextsOrNumbers) {
     EXPECT_THAT(findings("MAC729", text + "WRITE(STATE,\"LOG\",NAME_)\nSETAL(65000)\nM30\n"), IsEmpty());
 }
 
+TEST(SinumerikDifferences, OfRoundedNumbersAreHardlyEverZero) {
+    const auto told = [](const std::string& condition) {
+        return findings("SIN701", "R1=R10/3\nR2=R11/7\nR3=R12\nIF " + condition +
+                                      " GOTOF DONE\nG0 X=R1 Y=R2 Z=R3\nDONE: M30\n");
+    };
+    EXPECT_THAT(told("R1-R2==0"), SizeIs(1));
+    EXPECT_THAT(told("0<>R1-R3"), SizeIs(1));
+    EXPECT_THAT(told("R1==R2"), IsEmpty());     // within the tolerance
+    EXPECT_THAT(told("R1-R2<=0"), IsEmpty());   // the one digit does not matter
+    EXPECT_THAT(told("R3-R13==0"), IsEmpty());  // both as somebody has set them
+    EXPECT_THAT(told("R1-R2==0.5"), IsEmpty()); // within the tolerance, too
+    EXPECT_THAT(told("ABS(R1-R2)<0.001"), IsEmpty());
+}
+
 TEST(SinumerikArrays, TakeNoMoreValuesThanThereArePlacesFromAnElementOn) {
     const std::string text = "DEF INT ROW[5], MAP[2,3]\n";
     const auto beyond = findings("SIN213", text + "ROW[3]=SET(1,2,3)\nM30\n");

@@ -199,7 +199,7 @@ constexpr std::string_view rules_tried[] = {
     "SIN114", "SIN115", "SIN116", "SIN117", "SIN120", "SIN123", "SIN124", "SIN201", "SIN202", "SIN203",
     "SIN204", "SIN207", "SIN208", "SIN209", "SIN210", "SIN211", "SIN213", "SIN302", "SIN303", "SIN304",
     "SIN305", "SIN402", "SIN403", "SIN404", "SIN405", "SIN407", "SIN408", "SIN411", "SIN412", "SIN501",
-    "SIN502", "SIN504", "SIN505", "SIN506", "SIN601", "SIN602", "SIN603",
+    "SIN502", "SIN504", "SIN505", "SIN506", "SIN601", "SIN602", "SIN603", "SIN701",
 };
 static_assert(std::ranges::is_sorted(rules_tried));
 

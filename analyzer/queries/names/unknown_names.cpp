@@ -50,7 +50,8 @@ std::string meant_by(const ProgramAnalysis& analysis, const UnknownName& name) {
 
 bool is_undefined(const ProgramAnalysis& analysis, const UnknownName& name) {
     const NamesElsewhere& elsewhere = analysis.names_elsewhere();
-    return elsewhere.are_all && !elsewhere.contain(name.name) && meant_by(analysis, name).empty();
+    return name.meant.empty() && elsewhere.are_all && !elsewhere.contain(name.name) &&
+           meant_by(analysis, name).empty();
 }
 
 bool is_g_code(const UnknownName& name) {
