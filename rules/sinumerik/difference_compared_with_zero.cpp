@@ -2,6 +2,7 @@
 #include "analyzer/dataflow/facts/comparison.hpp"
 #include "analyzer/dataflow/facts/store.hpp"
 #include "analyzer/program/tables.hpp"
+#include "analyzer/queries/conditions/conditions.hpp"
 #include "analyzer/queries/values/calculations.hpp"
 #include "analyzer/queries/values/origins.hpp"
 #include "analyzer/workspace/program_analysis.hpp"
@@ -9,11 +10,14 @@
 #include "rules/rule.hpp"
 #include "rules/trace.hpp"
 
+#include <span>
+
 namespace maclint::rules {
 
 namespace {
+constexpr Exemption whole_number_asked_for;
 void check(const ProgramAnalysis& analysis, Reporter& reporter);
-}
+} // namespace
 
 extern const Rule difference_compared_with_zero{
     .code = "SIN701",
@@ -49,11 +53,30 @@ IF THIRD==STEP GOTOF DONE
 G0 X=THIRD
 DONE: M30
 )nc"}},
+    .exemptions = {{&whole_number_asked_for,
+                    "asks-for-a-whole-number",
+                    "What TRUNC or ROUND make of a number is taken away from it: of counts that divide "
+                    "without a rest nothing is left.",
+                    {"sinumerik", R"nc(
+R20=R20+1
+IF R20/R21-TRUNC(R20/R21)==0 GOTOF DRESS
+M17
+DRESS: M30
+)nc"}}},
     .sources = {"NCP19 p.444"},
     .check = &check,
 };
 
 namespace {
+
+/// `R20/R21-TRUNC(R20/R21)`
+bool asks_for_whole(const Program& program, std::span<const ExpressionId> operands) {
+    const auto* made_whole = std::get_if<Apply>(&program.expressions[operands[1]].node);
+    const bool is_made_whole = made_whole != nullptr && (made_whole->operation == Operation::truncate ||
+                                                         made_whole->operation == Operation::round);
+    return is_made_whole &&
+           queries::same_expression(program, operands[0], program.operands_of(*made_whole).front());
+}
 
 /// The side that is a difference of rounded numbers, where the other one is 0; nullptr: there is none.
 const dataflow::Value* difference_with_zero(const ProgramAnalysis& analysis,
@@ -61,6 +84,8 @@ const dataflow::Value* difference_with_zero(const ProgramAnalysis& analysis,
     const auto is_rounded_difference = [&](ExpressionId id, const dataflow::Value& value) {
         const auto* apply = std::get_if<Apply>(&analysis.program().expressions[id].node);
         return apply != nullptr && apply->operation == Operation::subtract &&
+               !(whole_number_asked_for.is_on() &&
+                 asks_for_whole(analysis.program(), analysis.program().operands_of(*apply))) &&
                value.exactness == dataflow::Exactness::rounded && !queries::is_as_written(value) &&
                !queries::is_zero_as_on_paper(analysis, value);
     };

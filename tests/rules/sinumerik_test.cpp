@@ -423,6 +423,8 @@ TEST(SinumerikDifferences, OfRoundedNumbersAreHardlyEverZero) {
     EXPECT_THAT(told("R3-R13==0"), IsEmpty());  // both as somebody has set them
     EXPECT_THAT(told("R1-R2==0.5"), IsEmpty()); // within the tolerance, too
     EXPECT_THAT(told("ABS(R1-R2)<0.001"), IsEmpty());
+    EXPECT_THAT(told("R1/R2-TRUNC(R1/R2)==0"), IsEmpty()); // whether it is whole
+    EXPECT_THAT(told("R1/R2-TRUNC(R1/R3)==0"), SizeIs(1));
 }
 
 TEST(SinumerikArrays, TakeNoMoreValuesThanThereArePlacesFromAnElementOn) {
