@@ -14,7 +14,7 @@
 namespace maclint::rules {
 namespace {
 
-constexpr int most_nodes = 500;             ///< of the last branch of a table
+constexpr int most_nodes = 500;             ///< of the last branch of a table, and of one of twins
 constexpr flow::NodeId nodes_of_a_test = 2; ///< the test and its jump
 
 /// A test of a table: where it jumps, and what it asks.
@@ -173,7 +173,7 @@ class Tables {
 
     [[nodiscard]] std::optional<FallingBranch> falling_twin(const Test& first, const Test& second) const {
         if (first.target <= second.node || second.target <= first.target ||
-            !is_run_into(second.target, first.target))
+            second.target - first.target > most_nodes || !is_run_into(second.target, first.target))
             return std::nullopt;
         const flow::NodeId end = std::min<flow::NodeId>(graph_.nodes_in_text, second.target + most_nodes);
         for (flow::NodeId node = second.target; node < end; ++node) {

@@ -1,14 +1,23 @@
 //! Compares what statements set with the first thing that their sums read.
 #include "rules/variables/crossed_axes_siblings_finder.hpp"
 
+#include "analyzer/dataflow/domain/state.hpp"
 #include "analyzer/dialect/ascii.hpp"
 #include "analyzer/program/tables.hpp"
 
 #include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <map>
 #include <optional>
+#include <utility>
+#include <vector>
 
 namespace maclint::rules {
 namespace {
+
+using dataflow::Key;
+using dataflow::key_of;
 
 /// The left side of the sum that the assignment stores.
 std::optional<ExpressionId> first_summand(const Program& program, const Assign& assign) {
@@ -144,49 +153,63 @@ class Steps {
     }
 
     void find_indexed(std::vector<FromSibling>& found) const {
-        for (const Step<Indexed>& odd : indexed_) {
-            if (odd.from.further == odd.target.further || odd.from.start == odd.target.start) continue;
-            const auto is_like = [&](const Step<Indexed>& step) {
-                return step.target.start == odd.target.start && step.from.start == odd.from.start;
-            };
-            const auto is_sibling = [&](const Step<Indexed>& step) {
-                return is_like(step) && step.from.further == step.target.further;
-            };
-            const auto siblings = std::ranges::count_if(indexed_, is_sibling);
-            if (siblings < enough_siblings || std::ranges::count_if(indexed_, is_like) != siblings + 1)
+        struct Likes {
+            std::vector<const Step<Indexed>*> own,
+                odd; ///< as far beyond one start as beyond the other, or not
+        };
+        std::map<std::pair<Key, Key>, Likes> by_starts;
+        for (const Step<Indexed>& step : indexed_) {
+            Likes& likes = by_starts[{key_of(step.target.start), key_of(step.from.start)}];
+            (step.from.further == step.target.further ? likes.own : likes.odd).push_back(&step);
+        }
+        for (const auto& [starts, likes] : by_starts) {
+            if (starts.first == starts.second || std::ssize(likes.own) < enough_siblings ||
+                likes.odd.size() != 1)
                 continue;
-            const auto sibling = std::ranges::find_if(indexed_, is_sibling);
+            const Step<Indexed>& odd = *likes.odd.front();
             const std::string further = std::to_string(static_cast<int>(odd.target.further));
             add(odd.effect, odd.operand, "#[" + program_.spell(odd.from.start) + "+" + further + "]",
-                sibling->effect, false, found);
+                likes.own.front()->effect, false, found);
         }
     }
 
-    /// Whether nothing but numbers are stored in the variable, that statement aside; the numbers.
-    [[nodiscard]] std::optional<std::vector<double>> numbers_set(Variable variable, EffectId aside) const {
+    /// What else than by counting the variables are set to.
+    struct Settings {
         std::vector<double> numbers;
-        for (EffectId id = 0; id < program_.effects.size(); ++id) {
-            const auto* assign = std::get_if<Assign>(&program_.effects[id].what);
+        std::size_t others = 0; ///< statements that store something else
+    };
+    [[nodiscard]] std::map<Key, Settings> settings() const {
+        std::map<Key, Settings> all;
+        for (const Effect& effect : program_.effects) {
+            const auto* assign = std::get_if<Assign>(&effect.what);
             const auto* target = assign == nullptr ? nullptr : std::get_if<Variable>(&assign->target);
-            if (target == nullptr || !(*target == variable) || id == aside) continue;
+            if (target == nullptr) continue;
+            Settings& of = all[key_of(*target)];
             const auto* literal = std::get_if<Literal>(&program_.expressions[assign->value].node);
-            if (literal == nullptr) return std::nullopt;
-            numbers.push_back(literal->value);
+            if (literal == nullptr)
+                ++of.others;
+            else
+                of.numbers.push_back(literal->value);
         }
-        return numbers;
+        return all;
     }
 
     void find_counts(std::vector<FromSibling>& found) const {
+        std::map<Key, const Step<Variable>*> own; ///< the first that goes on from its own
+        for (const Step<Variable>& step : counts_)
+            if (step.target == step.from) own.try_emplace(key_of(step.target), &step);
+        if (own.empty() || own.size() == counts_.size()) return;
+        const std::map<Key, Settings> all = settings();
         for (const Step<Variable>& odd : counts_) {
-            if (odd.target == odd.from) continue;
-            const auto sibling = std::ranges::find_if(counts_, [&](const Step<Variable>& step) {
-                return step.target == odd.from && step.from == odd.from;
-            });
-            if (sibling == counts_.end()) continue;
-            const auto set = numbers_set(odd.target, odd.effect);
-            const auto set_there = numbers_set(odd.from, sibling->effect);
-            const bool alike = set && set_there && !set->empty() && *set == *set_there;
-            if (alike) add(odd.effect, odd.operand, program_.spell(odd.target), sibling->effect, true, found);
+            const auto sibling = own.find(key_of(odd.from));
+            if (odd.target == odd.from || sibling == own.end()) continue;
+            const Settings& here = all.at(key_of(odd.target));
+            const Settings& there = all.at(key_of(odd.from));
+            const bool alike = here.others == 1 && there.others == 1 && !here.numbers.empty() &&
+                               here.numbers == there.numbers;
+            if (alike)
+                add(odd.effect, odd.operand, program_.spell(odd.target), sibling->second->effect, true,
+                    found);
         }
     }
 

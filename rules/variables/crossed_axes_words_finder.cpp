@@ -1,6 +1,7 @@
 //! Gathers what keeps positions, and which words move by it.
 #include "rules/variables/crossed_axes_words_finder.hpp"
 
+#include "analyzer/dataflow/domain/state.hpp"
 #include "analyzer/program/machine_words.hpp"
 #include "analyzer/program/tables.hpp"
 
@@ -8,15 +9,10 @@
 #include <map>
 #include <optional>
 #include <set>
-#include <utility>
+#include <vector>
 
 namespace maclint::rules {
 namespace {
-
-/// Orders variables.
-std::pair<int, std::int32_t> key(Variable variable) {
-    return {static_cast<int>(variable.space), variable.number};
-}
 
 /// A position that a variable gets.
 struct Kept {
@@ -50,13 +46,13 @@ struct Uses {
     std::set<char> axes;
     Span first;
 };
-using UsesOfVariables = std::map<std::pair<int, std::int32_t>, Uses>;
+using UsesOfVariables = std::map<dataflow::Key, Uses>;
 
 /// The variables that the sum is made of.
 void note_sum(const Program& program, ExpressionId id, const Word& word, UsesOfVariables& uses) {
     const auto& node = program.expressions[id].node;
     if (const auto* load = std::get_if<Load>(&node)) {
-        Uses& of = uses.try_emplace(key(load->variable), Uses{{}, word.span}).first->second;
+        Uses& of = uses.try_emplace(dataflow::key_of(load->variable), Uses{{}, word.span}).first->second;
         of.axes.insert(word.address.front());
         return;
     }
@@ -85,22 +81,29 @@ std::vector<PlaceForAnotherAxis> find_places_for_other_axes(const Program& progr
     const AxisLetters& letters = program.control->machine_words->axes;
     const UsesOfVariables uses = uses_in_words(program);
     const auto moves = [&](const Kept& one, std::size_t axis) {
-        const auto of = uses.find(key(one.variable));
+        const auto of = uses.find(dataflow::key_of(one.variable));
         return of != uses.end() && moves_only(of->second, letters[axis]);
     };
+    std::map<std::int32_t, std::vector<const Kept*>> twins; ///< by position: two that move its own axis
     for (const Kept& one : kept) {
         const auto axis = static_cast<std::size_t>(one.axis());
-        if (axis >= letters.size()) continue;
-        const auto twin = std::ranges::find_if(kept, [&](const Kept& other) {
-            return other.number == one.number && !(other.variable == one.variable) && moves(other, axis);
-        });
-        if (twin == kept.end()) continue;
+        std::vector<const Kept*>& of = twins[one.number];
+        if (axis < letters.size() && of.size() < 2 && moves(one, axis) &&
+            (of.empty() || !(of.front()->variable == one.variable)))
+            of.push_back(&one);
+    }
+    for (const Kept& one : kept) {
+        const auto axis = static_cast<std::size_t>(one.axis());
+        const std::vector<const Kept*>& of = twins.at(one.number);
+        const auto twin =
+            std::ranges::find_if(of, [&](const Kept* other) { return !(other->variable == one.variable); });
+        if (axis >= letters.size() || twin == of.end()) continue;
         for (std::size_t other = 0; other < letters.size(); ++other)
             if (other != axis && moves(one, other))
                 found.push_back({one.store,
                                  one.variable,
-                                 uses.at(key(one.variable)).first,
-                                 twin->variable,
+                                 uses.at(dataflow::key_of(one.variable)).first,
+                                 (*twin)->variable,
                                  {one.range->space, one.range->first + static_cast<std::int32_t>(other)},
                                  letters[axis]});
     }
