@@ -26,10 +26,12 @@ struct GivenWord {
     friend bool operator==(const GivenWord&, const GivenWord&) = default;
 };
 
+/// A variable with its dimensions, if it has any.
 struct ArrayDefinition {
-    std::string name;                               ///< capitals
-    std::string_view type;                          ///< "REAL", of static lifetime
-    std::vector<std::optional<std::int32_t>> sizes; ///< of each dimension; nothing: calculated, or as passed
+    std::string name;      ///< capitals
+    std::string_view type; ///< "REAL", of static lifetime
+    /// Of each dimension; nothing: calculated, or as passed. None at all: a single variable.
+    std::vector<std::optional<std::int32_t>> sizes;
     friend bool operator==(const ArrayDefinition&, const ArrayDefinition&) = default;
 };
 

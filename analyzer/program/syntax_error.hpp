@@ -106,10 +106,10 @@ enum class SyntaxErrorKind : std::uint8_t {
     late_definition,             ///< behind the first block that does something; cure: that block
     unknown_system_variable,     ///< cure: one that is meant, may be empty
     wrong_dimensions,            ///< subject: the variable with its index; cure: how many it has
-    too_many_initial_values,     ///< subject: the list; cure: how many there may be
+    too_many_initial_values,     ///< subject: the list; cure: how many places there are
     empty_counting,              ///< `FOR R1=5 TO 1`
     value_twice,                 ///< of a table of jumps; cure: where it stands first
-    mark_missing,                ///< of a part to be repeated; subject: the label
+    mark_missing,                ///< of a part to be repeated; subject: the label; cure: one behind it
     passes_out_of_range,         ///< of a part to be repeated; cure: what they may be
     action_on_local,             ///< subject: a variable that acts at preparation; cure: what acts in time
     action_again,                ///< subject: the number of an action that runs already; cure: that one

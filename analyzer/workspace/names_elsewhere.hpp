@@ -34,7 +34,7 @@ using GivenByName = std::unordered_map<std::string, Given, TextHash, std::equal_
 struct NamesElsewhere {
     std::shared_ptr<const TextSet> defined;                     ///< by files of definitions of the workspace
     std::shared_ptr<const GivenByName<GivenWord>> words;        ///< of these, pieces of blocks
-    std::shared_ptr<const GivenByName<ArrayDefinition>> arrays; ///< and arrays; without sizes that differ
+    std::shared_ptr<const GivenByName<ArrayDefinition>> arrays; ///< and variables; no type where files differ
     std::shared_ptr<const ListedNames> named;                   ///< by somebody who knows the machine
     bool are_all = false; ///< nothing else is defined: what is not among them the control does not know
 

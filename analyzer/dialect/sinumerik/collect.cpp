@@ -49,6 +49,16 @@ std::pair<std::string, const Ending*> parts_of(std::string_view written) {
     return {std::move(name), ending};
 }
 
+/// The first label of a part whose last one stands before it alone; nullptr: the part can be found.
+const NamedPlace* part_turned_round(const OpenProgram& program, const Repetition& repetition) {
+    if (repetition.names_numbers || repetition.last.empty()) return nullptr;
+    const auto first = std::ranges::find(program.labels, repetition.first, &NamedPlace::name);
+    const auto behind = std::ranges::subrange(first, program.labels.end());
+    const auto is_last = [&](const NamedPlace& label) { return label.name == repetition.last; };
+    if (first == program.labels.end() || std::ranges::any_of(behind, is_last)) return nullptr;
+    return std::ranges::any_of(program.labels, is_last) ? &*first : nullptr;
+}
+
 } // namespace
 
 /// A call may write `SUB`, `_N_SUB`, `SUB_SPF` or `_N_SUB_SPF` [NCP23 p.490].
@@ -85,16 +95,6 @@ void Programs::open_behind(Span line, Offset mark) {
 OpenProgram& Programs::current() {
     if (open_.empty()) open(std::string(file_name_of(source_.path())));
     return open_.back();
-}
-
-/// The first label of a part whose last one stands before it alone; nullptr: the part can be found.
-const NamedPlace* part_turned_round(const OpenProgram& program, const Repetition& repetition) {
-    if (repetition.names_numbers || repetition.last.empty()) return nullptr;
-    const auto first = std::ranges::find(program.labels, repetition.first, &NamedPlace::name);
-    const auto behind = std::ranges::subrange(first, program.labels.end());
-    const auto is_last = [&](const NamedPlace& label) { return label.name == repetition.last; };
-    if (first == program.labels.end() || std::ranges::any_of(behind, is_last)) return nullptr;
-    return std::ranges::any_of(program.labels, is_last) ? &*first : nullptr;
 }
 
 /// A part that REPEAT names and that is not there; a GOTO whose label stands before it and behind it: it
