@@ -15,7 +15,10 @@ constexpr int most_nodes = 64; ///< of a branch
 
 /// One side of a decision.
 struct Branch {
-    std::string text; ///< of its blocks, without blanks, numbers and what only leads on
+    std::string text;         ///< of its blocks, without blanks, numbers and what only leads on
+    std::string messages;     ///< behind its alarms
+    std::string remarks;      ///< in front of its blocks and behind them
+    bool only_numbers = true; ///< nothing else is stored or done: somebody edits them
     Span span = {};
     bool acts = false;                   ///< it does more than to leave the program
     std::optional<flow::NodeId> ends_at; ///< the first node that other paths reach; nothing: it leaves
@@ -50,7 +53,9 @@ class EqualBranchesIn {
                              is_mistaken_jump(*effect, node, other.to);
         if (!if_true->acts && !to_next) return std::nullopt; // as behind most jumps
         const auto if_false = follow(other);
-        if (!if_false || if_true->text != if_false->text || if_true->ends_at != if_false->ends_at)
+        if (!if_false || if_true->text != if_false->text || if_true->ends_at != if_false->ends_at ||
+            if_true->messages != if_false->messages ||
+            (if_true->only_numbers && if_true->remarks != if_false->remarks))
             return std::nullopt;
         return EqualBranches{*effect, *one.condition, if_true->span, if_false->span};
     }
@@ -121,30 +126,43 @@ class EqualBranchesIn {
         const flow::Node& at = graph_.nodes[node];
         if (at.is_run) {
             branch.acts = true;
+            const std::size_t before = branch.text.size();
             for_each_block(program_, at.stretch(), [&](const BlockView& block) {
                 add(branch,
                     {block.number_span.empty() ? block.span.begin : block.number_span.end, block.span.end});
             });
+            branch.only_numbers &= branch.text.size() == before;
             return;
         }
+        add_remarks(branch, node);
         const auto block = stored_block(program_, at.item);
         const auto effects = program_.effects_in(at.effects);
         const bool has_words = block && at.effects.first == block->effects.first && !block->words.empty();
         branch.acts |= std::ranges::any_of(effects, acts) || (has_words && effects.empty());
+        branch.only_numbers &= !has_words && std::ranges::all_of(effects, [&](const Effect& effect) {
+            return leads_on(effect) || stores_number(effect);
+        });
         if (has_words)
             for (const Word& word : block->words) add(branch, word.span);
         for (const Effect& effect : effects)
-            if (!leads_on(effect)) add(branch, shown_by(effect));
+            if (!leads_on(effect)) add(branch, effect.span);
     }
 
-    /// An alarm shows the remark behind it.
-    [[nodiscard]] Span shown_by(const Effect& effect) const {
-        Span span = effect.span;
-        const auto* stop = std::get_if<Stop>(&effect.what);
-        if (stop != nullptr && stop->kind == Stop::Kind::alarm)
-            span.end =
-                static_cast<Offset>(std::min(program_.text.find('\n', span.end), program_.text.size()));
-        return span;
+    [[nodiscard]] bool stores_number(const Effect& effect) const {
+        const auto* assign = std::get_if<Assign>(&effect.what);
+        return assign != nullptr && std::holds_alternative<Literal>(program_.expressions[assign->value].node);
+    }
+
+    /// Two alarms of one number may say different things, and numbers to edit stand for what remarks name.
+    void add_remarks(Branch& branch, flow::NodeId node) const {
+        const flow::Node& at = graph_.nodes[node];
+        const Span before{node == 0 ? at.part.begin : graph_.nodes[node - 1].part.end, at.part.begin};
+        if (before.begin < before.end) branch.remarks += without_blanks(program_.slice(before));
+        if (at.effects.count == 0) return;
+        const Effect& last = program_.effects[at.effects.first + at.effects.count - 1];
+        if (last.span.end >= at.part.end) return;
+        const std::string behind = without_blanks(program_.slice({last.span.end, at.part.end}));
+        (std::holds_alternative<Stop>(last.what) ? branch.messages : branch.remarks) += behind;
     }
 
     void add(Branch& branch, Span part) const {

@@ -57,8 +57,10 @@ namespace {
 void check(const ProgramAnalysis& analysis, Reporter& reporter) {
     const Program& program = analysis.program();
     for (const AngleAsLength& found : find_angles_as_lengths(program))
-        reporter.report({analysis, found.word}, found.word, found.is_angle ? "angle" : "ratio",
-                        {quoted(program, found.word)});
+        reporter
+            .report({analysis, found.word}, found.word, found.is_angle ? "angle" : "ratio",
+                    {quoted(program, found.word)})
+            .same_cause = program.name; // a habit
     for (const SameRatioTwice& same : find_same_ratios(program))
         reporter.report({analysis, same.second}, same.second, "same",
                         {quoted(program, same.second), same.is_cosine ? "cosine" : "sine",

@@ -113,16 +113,21 @@ TEST(EqualBranches, DoTheSameWhateverNumbersTheyHave) {
     };
     EXPECT_THAT(alarms("VISE"), ElementsAre(2));
     EXPECT_THAT(alarms("PRESSURE"), IsEmpty()); // the operator reads another text
+    const auto stored = [](const std::string& first, const std::string& second) {
+        return lines_raised("MAC337",
+                            "O9001\nIF[#7EQ1]GOTO5\n" + first + "\nGOTO6\nN5\n" + second + "\nN6M99\n");
+    };
+    EXPECT_THAT(stored("#3=#5(LEFT)", "#3=#5(RIGHT)"), ElementsAre(2));
+    EXPECT_THAT(stored("#3=4(A-AXIS)", "#3=4(B-AXIS)"), IsEmpty()); // numbers that somebody edits
 }
 
 TEST(ConditionAlwaysTrue, HoldsWhereACounterIsSetBackByItsOwnJump) {
     const auto told = [](const std::string& label) {
-        return lines_raised(
-            "MAC718", "O9858\nIF[#20NE#0]GOTO2\n#20=#4120\nN2\n#3=0\nN10\nG31Z-5.F1500\n#4=#5063\nG0Z50.\n"
-                      "IF[ABS[#4]LT.5]GOTO50\n#3=#3+1\nIF[#3LT3]GOTO" +
-                          label + "\n#3000=58(TOOL BROKEN)\nN50M99\n");
+        return lines_raised("MAC718", "O9858\nG91G28Z0\nN2\n#3=0\nN10\nG31Z-5.F1500\n#4=#5063\nG0Z50.\n"
+                                      "IF[ABS[#4]LT.5]GOTO50\n#3=#3+1\nIF[#3LT3]GOTO" +
+                                          label + "\n#3000=58(TOOL BROKEN)\nN50M99\n");
     };
-    EXPECT_THAT(told("2"), ElementsAre(12));
+    EXPECT_THAT(told("2"), ElementsAre(11));
     EXPECT_THAT(told("10"), IsEmpty());
 }
 
