@@ -4,7 +4,6 @@
 #include "analyzer/dataflow/facts/comparison.hpp"
 #include "analyzer/dialect/ascii.hpp"
 #include "analyzer/queries/conditions/conditions.hpp"
-#include "analyzer/queries/values/copies.hpp"
 #include "analyzer/queries/values/origins.hpp"
 
 #include <algorithm>
@@ -108,18 +107,8 @@ bool DeliberateConditions::may_be_meant(const dataflow::Condition& condition,
     if (exemptions::jump_to_same_place.is_on() && repeats_another(condition)) return true;
     if (exemptions::same_block_guarded_again.is_on() && does_what_another_does(condition)) return true;
     if (asks_for_settings && settings_.is_read(condition.effect)) return true;
-    if (!guard && asks_for_a_count(condition)) return false;
     // What is left over after all other cases were tested may be tested once more.
     return asks_of_vacant || (exemptions::last_case_tested.is_on() && condition.truth.can_hold);
-}
-
-/// What has just been counted is always the same number where the jump leads back in front of its first one.
-bool DeliberateConditions::asks_for_a_count(const dataflow::Condition& condition) const {
-    return std::ranges::any_of(analysis_.facts().at<dataflow::Read>(condition.effect),
-                               [&](const dataflow::Read& read) {
-                                   const dataflow::Store* store = queries::store_of(analysis_, read.value);
-                                   return store != nullptr && store->step && read.value.constant();
-                               });
 }
 
 /// An earlier test sends to the same place: the second is not needed, but does no harm.

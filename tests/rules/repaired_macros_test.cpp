@@ -123,11 +123,12 @@ TEST(EqualBranches, DoTheSameWhateverNumbersTheyHave) {
 
 TEST(ConditionAlwaysTrue, HoldsWhereACounterIsSetBackByItsOwnJump) {
     const auto told = [](const std::string& label) {
-        return lines_raised("MAC718", "O9858\nG91G28Z0\nN2\n#3=0\nN10\nG31Z-5.F1500\n#4=#5063\nG0Z50.\n"
-                                      "IF[ABS[#4]LT.5]GOTO50\n#3=#3+1\nIF[#3LT3]GOTO" +
-                                          label + "\n#3000=58(TOOL BROKEN)\nN50M99\n");
+        return lines_raised(
+            "MAC718", "O9858\nIF[#20NE#0]GOTO2\n#20=#4120\nN2\n#3=0\nN10\nG31Z-5.F1500\n#4=#5063\nG0Z50.\n"
+                      "IF[ABS[#4]LT.5]GOTO50\n#3=#3+1\nIF[#3LT3]GOTO" +
+                          label + "\n#3000=58(TOOL BROKEN)\nN50M99\n");
     };
-    EXPECT_THAT(told("2"), ElementsAre(11));
+    EXPECT_THAT(told("2"), ElementsAre(12));
     EXPECT_THAT(told("10"), IsEmpty());
 }
 
