@@ -4,6 +4,7 @@
 #include "analyzer/dataflow/facts/read.hpp"
 #include "analyzer/program/machine_words.hpp"
 #include "analyzer/program/tables.hpp"
+#include "analyzer/queries/values/positions.hpp"
 
 #include <algorithm>
 #include <optional>
@@ -120,10 +121,7 @@ class Finder {
     }
 
     [[nodiscard]] bool is_position(ExpressionId id) const {
-        const auto* load = std::get_if<LoadMachine>(&program_.expressions[id].node);
-        const VariableRange* range =
-            load == nullptr ? nullptr : program_.control->families[load->family].find(load->number);
-        return range != nullptr && (!range->positions_of.empty() || range->is_skip_position);
+        return queries::position_read(program_, id) != nullptr;
     }
 
     const ProgramAnalysis& analysis_;

@@ -89,8 +89,8 @@ void check(const ProgramAnalysis& analysis, Reporter& reporter) {
             if (given.empty() || given == wanted) continue;
             reporter
                 .report({analysis, site.effect}, argument->span, "type",
-                        {quoted(program, argument->span), std::string(given), std::to_string(i + 1),
-                         formal.name, called.program().name, wanted})
+                        {quoted(program, argument->span), given, std::to_string(i + 1), formal.name,
+                         called.program().name, wanted})
                 .related.push_back({called.source(), formal.span, "the parameter is defined here"});
         }
     });

@@ -4,6 +4,7 @@
 #include "analyzer/dataflow/domain/state.hpp"
 #include "analyzer/program/machine_words.hpp"
 #include "analyzer/program/tables.hpp"
+#include "analyzer/queries/values/positions.hpp"
 
 #include <algorithm>
 #include <map>
@@ -29,14 +30,11 @@ std::vector<Kept> kept_positions(const Program& program) {
     for (EffectId id = 0; id < program.effects.size(); ++id) {
         const auto* assign = std::get_if<Assign>(&program.effects[id].what);
         const auto* variable = assign == nullptr ? nullptr : std::get_if<Variable>(&assign->target);
-        const auto* load = variable == nullptr
-                               ? nullptr
-                               : std::get_if<LoadMachine>(&program.expressions[assign->value].node);
         const VariableRange* range =
-            load == nullptr ? nullptr : program.control->families[load->family].find(load->number);
-        const bool is_position =
-            range != nullptr && (!range->positions_of.empty() || range->is_skip_position);
-        if (is_position) found.push_back({id, *variable, range, load->number});
+            variable == nullptr ? nullptr : queries::position_read(program, assign->value);
+        if (range == nullptr) continue;
+        const auto& load = std::get<LoadMachine>(program.expressions[assign->value].node);
+        found.push_back({id, *variable, range, load.number});
     }
     return found;
 }
