@@ -53,6 +53,7 @@ bool is_told(const std::vector<Finding>& findings, const Finding& finding) {
 }
 
 void name_call(Finding& finding, const queries::NumberedCall& call) {
+    if (call.span.empty()) return; // the numbers are the program's own
     finding.related.push_back(
         {call.program->source(), call.span,
          call.is_shown ? "the call that its remark shows" : "called with these numbers"});

@@ -87,6 +87,7 @@
     RULE(branch_falls_through)                  /* MAC339 */ \
     RULE(region_words_unpaired)                 /* MAC340 */ \
     RULE(remark_names_other_block)              /* MAC341 */ \
+    RULE(loop_without_effect)                   /* MAC342 */ \
     RULE(call_without_program_number)           /* MAC401 */ \
     RULE(program_not_found)                     /* MAC402 */ \
     RULE(words_before_call)                     /* MAC403 */ \
@@ -187,6 +188,7 @@
     RULE(lookahead_output)                      /* MAC606 */ \
     RULE(skip_not_checked)                      /* MAC607 */ \
     RULE(look_ahead_limit_left_on)              /* MAC614 */ \
+    RULE(position_for_touch)                    /* MAC615 */ \
     RULE(bracket_depth)                         /* MAC701 */ \
     RULE(division_by_zero)                      /* MAC702 */ \
     RULE(domain_error)                          /* MAC703 */ \

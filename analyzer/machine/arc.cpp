@@ -57,6 +57,7 @@ class Reader {
     [[nodiscard]] Arc by_radius(const Pair& way) const;
     [[nodiscard]] Arc by_centre(const Pair& way, std::size_t outside) const;
     [[nodiscard]] bool fits_otherwise(const Pair& way, const Pair& centre) const;
+    [[nodiscard]] bool takes_place_in_plane(std::size_t outside) const;
     [[nodiscard]] double tolerance() const;
     [[nodiscard]] Pair in_plane(const std::array<double, 3>& of_axes) const;
 
@@ -117,8 +118,11 @@ std::optional<std::size_t> Reader::outside_axis() const {
 
 /// Where the program has not said it: the plane in which the machine begins, if no letter speaks against it.
 std::optional<std::size_t> Reader::outside_axis_by_letters() const {
-    if (machine_.x_is_diameter)
-        return has_end(y_axis) || has(machine_.centres[y_axis]) ? std::nullopt : std::optional(y_axis);
+    if (machine_.x_is_diameter) {
+        const bool in_plane_of_lathes = !has_end(y_axis) && (has_end(x_axis) || has_end(z_axis));
+        const bool in_other = has_end(y_axis) || has(machine_.centres[y_axis]);
+        return in_plane_of_lathes || !in_other ? std::optional(y_axis) : std::nullopt;
+    }
     if (!has_end(z_axis)) return has_end(x_axis) || has_end(y_axis) ? std::optional(z_axis) : std::nullopt;
     if (has_end(x_axis) && has_end(y_axis) && !has(machine_.centres[z_axis])) return z_axis;
     // What moves in Y is no lathe whose control is set up as a mill.
@@ -188,6 +192,14 @@ bool Reader::fits_otherwise(const Pair& way, const Pair& centre) const {
     return differ(centre, {2 * way[0], way[1]}) <= tolerance();
 }
 
+/// Whether both letters of the axis outside the plane stand where both of one in it are missing: Y and J0 for
+/// Z and K0.
+bool Reader::takes_place_in_plane(std::size_t outside) const {
+    return has_end(outside) && std::ranges::any_of(plane_, [&](std::size_t axis) {
+               return !has_end(axis) && !has(machine_.centres[axis]);
+           });
+}
+
 Arc Reader::by_centre(const Pair& way, std::size_t outside) const {
     const Pair centre = {from_start(plane_[0]), from_start(plane_[1])};
     Arc arc{.first = length(centre), .second = length({way[0] - centre[0], way[1] - centre[1]})};
@@ -195,6 +207,10 @@ Arc Reader::by_centre(const Pair& way, std::size_t outside) const {
     if (const char other = machine_.centres[outside]; value(other) != 0) {
         // Beside a centre in the plane some give the pitch of a helix there.
         if (fits && arc.first > 0 && this->way(outside) != 0) return arc;
+        arc.fault = ArcFault::other_plane;
+        arc.letter = other;
+        arc.leaves_plane = has_end(outside);
+    } else if (has(other) && takes_place_in_plane(outside)) {
         arc.fault = ArcFault::other_plane;
         arc.letter = other;
         arc.leaves_plane = has_end(outside);
@@ -234,7 +250,7 @@ std::optional<Arc> Reader::read() const {
     chosen.choose_plane(*outside);
     const std::string letters =
         std::string(1, machine_.centres[chosen.plane_[0]]) + " and " + machine_.centres[chosen.plane_[1]];
-    const bool plane_of_start = step_.after.of(ModalRole::plane).is_callers() && !machine_.x_is_diameter;
+    const bool plane_of_start = step_.after.of(ModalRole::plane).is_callers();
     if (has_centre_only_outside(*outside))
         return Arc{.fault = ArcFault::other_plane,
                    .letter = machine_.centres[*outside],

@@ -28,7 +28,7 @@ struct Arc {
     double first = 0, second = 0;
     char letter = 0;             ///< of the word that is at fault: 'R', 'K'
     bool leaves_plane = false;   ///< its end names the axis outside its plane
-    bool plane_of_start = false; ///< nobody has said the plane: it is the one in which mills begin
+    bool plane_of_start = false; ///< nobody has said the plane: it is the one in which such machines begin
     std::string letters = {};    ///< of a centre in its plane: "I and J"; of a radius, where nothing is given
 };
 

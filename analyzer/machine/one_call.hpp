@@ -3,6 +3,7 @@
 
 #include "analyzer/program/ids.hpp"
 
+#include <optional>
 #include <unordered_map>
 #include <vector>
 
@@ -12,6 +13,7 @@ struct OneCall {
     std::unordered_map<ExpressionId, double>
         numbers;                ///< of words that are calculated, as far as they are known
     std::vector<bool> passable; ///< of every edge, whether it can be taken
+    std::optional<double> plane = {}; ///< the code in force when it is called, where that is known
 };
 
 } // namespace maclint::machine

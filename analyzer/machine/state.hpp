@@ -2,6 +2,7 @@
 #pragma once
 
 #include "analyzer/program/modal_groups.hpp"
+#include "analyzer/program/variable.hpp"
 #include "analyzer/source/span.hpp"
 
 #include <array>
@@ -17,6 +18,7 @@ struct Known {
         callers, ///< as it was when the program began
         unknown, ///< it differs from path to path, or nobody can say
         known,
+        passed, ///< what the call has passed; `value` is the number of the variable
     };
     double value = 0;
     Offset block = 0; ///< where the block begins that set it
@@ -27,8 +29,12 @@ struct Known {
         return {value, block, Kind::known};
     }
     [[nodiscard]] static constexpr Known nothing() { return {0, 0, Kind::unknown}; }
+    [[nodiscard]] static constexpr Known passed_in(Variable variable, Offset block) {
+        return {static_cast<double>(variable.number), block, Kind::passed};
+    }
     [[nodiscard]] constexpr bool is_known() const { return kind == Kind::known; }
     [[nodiscard]] constexpr bool is_callers() const { return kind == Kind::callers; }
+    [[nodiscard]] constexpr bool is_passed() const { return kind == Kind::passed; }
     [[nodiscard]] constexpr bool is(double number) const { return is_known() && value == number; }
 };
 
@@ -89,6 +95,16 @@ class State {
     }
     /// After a call of the block: what the called program has not touched is as before.
     void go_on_with(const State& end_of_called, Offset block);
+    /// Puts numbers in the place of what calls have passed; `number_of(variable number)` is a Known.
+    template<class NumberOf>
+    void resolve_passed(const NumberOf& number_of) {
+        for (Known* known : {&tool, &prepared, &length_offset, &cutter_offset})
+            if (known->is_passed()) {
+                const Known number = number_of(known->value);
+                known->kind = number.kind;
+                known->value = number.value;
+            }
+    }
 
   private:
     static constexpr std::size_t roles = static_cast<std::size_t>(ModalRole::feed_hold) + 1;

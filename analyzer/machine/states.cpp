@@ -22,11 +22,7 @@ class Domain {
 
     explicit Domain(const States& states)
         : states_(states) {}
-    [[nodiscard]] State at_begin(flow::NodeId node) const {
-        State state;
-        state.is_reached = node == 0;
-        return state;
-    }
+    [[nodiscard]] State at_begin(flow::NodeId node) const { return node == 0 ? states_.at_begin() : State(); }
     [[nodiscard]] bool is_reached(const State& state) const { return state.is_reached; }
     [[nodiscard]] bool add(State& set, const State& more) const { return set.add(more); }
     void run(flow::NodeId node, State& set) const {
@@ -69,6 +65,18 @@ States::States(const Program& program, const flow::Graph& graph, LeftByCall left
     sees_all_ = plain_blocks <= most_plain_blocks;
     before_ = flow::solve<flow::Direction::forward>(graph, Domain(*this));
     survey();
+}
+
+State States::at_begin() const {
+    State state;
+    state.is_reached = true;
+    if (only_ && only_->plane) state.of(ModalRole::plane) = Known::of(*only_->plane, 0);
+    return state;
+}
+
+void States::leaves_as_it_was(ModalRole role) {
+    Known& mode = left_.state.of(role);
+    if (mode.kind == Known::Kind::unknown) mode = Known();
 }
 
 std::vector<Span> States::parts_that_begin_something(const PlainRun& run, Span stretch) const {
@@ -126,7 +134,9 @@ void States::run_calls(const flow::Node& node, State& state) const {
         const bool may_call =
             guarded != nullptr &&
             std::ranges::any_of(program_->effects_in(guarded->effects), [](const Effect& effect) {
-                return !std::holds_alternative<Assign>(effect.what) &&
+                const auto* stop = std::get_if<Stop>(&effect.what);
+                const bool is_alarm = stop != nullptr && stop->kind == Stop::Kind::alarm;
+                return !is_alarm && !std::holds_alternative<Assign>(effect.what) &&
                        !std::holds_alternative<Jump>(effect.what);
             });
         if (const auto* call = std::get_if<Call>(&what)) {
@@ -137,12 +147,25 @@ void States::run_calls(const flow::Node& node, State& state) const {
                 state.of(ModalRole::feed) = Known::nothing();
             } else if (left == nullptr || !left->state.is_reached)
                 state.forget();
-            else
+            else {
                 state.go_on_with(left->state, node.part.begin);
+                state.resolve_passed([&](double variable) { return passed_by(*call, variable); });
+            }
         } else if (may_call) {
             state.forget();
         }
     }
+}
+
+/// The number that the call passes for the variable; nothing where it passes none, or calculates it.
+Known States::passed_by(const Call& call, double variable) const {
+    for (const Argument& argument : program_->arguments_of(call)) {
+        const auto* given = std::get_if<Variable>(&argument.given);
+        const auto* number = std::get_if<Literal>(&program_->expressions[argument.value].node);
+        if (given != nullptr && number != nullptr && static_cast<double>(given->number) == variable)
+            return Known::of(number->value, 0);
+    }
+    return Known::nothing();
 }
 
 /// Whether nothing but a cut can be meant: a tool that stands may bring a stop or a bar to its place.

@@ -39,6 +39,10 @@ class States {
 
     [[nodiscard]] bool empty() const { return before_.empty(); }
     [[nodiscard]] const Left& left() const { return left_; }
+    /// When the program begins.
+    [[nodiscard]] State at_begin() const;
+    /// It is known from elsewhere that the program leaves the mode as it was: it saves it, and puts it back.
+    void leaves_as_it_was(ModalRole role);
     /// What the program that the call means leaves; nullptr: nobody has it.
     [[nodiscard]] const Left* left_by_call(EffectId call) const { return left_by_call_(call); }
     [[nodiscard]] const Habits& habits() const { return habits_; }
@@ -121,6 +125,7 @@ class States {
     static void forget_between(State& state);
     [[nodiscard]] bool calls_after_moves(const State& state) const;
     void run_calls(const flow::Node& node, State& state) const;
+    [[nodiscard]] Known passed_by(const Call& call, double variable) const;
     void survey();
     [[nodiscard]] bool is_surely_a_cut(const Step& step) const;
 

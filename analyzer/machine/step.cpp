@@ -44,7 +44,7 @@ Words::Words(std::span<const Word> words, const MachineWords& machine)
         if (word.address.front() != 'G' && word.address.front() != 'M') continue;
         const auto* literal = std::get_if<Literal>(&word.value);
         if (literal == nullptr)
-            has_computed_code_ = true;
+            (word.address.front() == 'G' ? has_computed_code_ : has_computed_function_) = true;
         else
             (word.address.front() == 'G' ? g_codes_ : m_codes_).add(literal->value);
     }
@@ -136,6 +136,7 @@ Stepper::Stepper(const Program& program, const MachineWords& machine)
     , machine_(&machine)
     , demands_(control_->demands != nullptr && !control_->demands->blocks.empty() ? control_->demands.get()
                                                                                   : nullptr)
+    , stored_(program)
     , spindle_(control_->group_with(ModalRole::spindle))
     , cycle_(control_->group_with(ModalRole::cycle))
     , has_distance_(control_->group_with(ModalRole::distance).has_value())
@@ -147,13 +148,13 @@ Stepper::Stepper(const Program& program, const MachineWords& machine)
 void Stepper::begin(const BlockView& block) {
     move_ = Move::none;
     axes_ = {};
-    changes_tool_ = calls_ = passes_words_ = without_feed_ = to_reference_ = false;
+    changes_tool_ = calls_ = passes_words_ = without_feed_ = to_reference_ = has_applied_code_ = false;
     moves_ = block.moves;
 }
 
 void Stepper::apply(State& state, const BlockView& block, const Words& words) {
-    apply_effects(state, block);
-    if (words.has_computed_code()) {
+    apply_effects(state, block, words);
+    if (words.has_computed_function() || (words.has_computed_code() && !has_applied_code_)) {
         state.forget_modes();
         state.forget_position();
     }
@@ -177,6 +178,21 @@ void Stepper::apply(State& state, const BlockView& block, const Words& words) {
     watch_tapping(state, block, words);
     run_profile(state, block, words);
     if (demands_ != nullptr) watch_demands(state, words);
+}
+
+/// G#1 after #1=#4003 sets the group that #1 holds a code of, to one that nobody knows here. Any other may
+/// set whatever it likes, but for a modal macro call, which names its program.
+void Stepper::apply_computed_code(State& state, ExpressionId code, const Words& words) {
+    has_applied_code_ = true;
+    const auto group = stored_.saved_group(*program_, code);
+    const ModalRole role = group ? control_->groups[*group].role : ModalRole::other;
+    if (!group) {
+        const Known calls = state.of(ModalRole::macro_call);
+        state.forget_modes();
+        if (!words.has('P')) state.of(ModalRole::macro_call) = calls;
+    }
+    if (!group || std::ranges::find(of_coordinates, role) != of_coordinates.end()) state.forget_position();
+    if (role != ModalRole::other) state.of(role) = Known::nothing();
 }
 
 void Stepper::watch_demands(State& state, const Words& words) const {
@@ -215,7 +231,7 @@ void Stepper::run_profile(State& state, const BlockView& block, const Words& wor
     state.profile_end = Known::of(0, block.span.begin);
 }
 
-void Stepper::apply_effects(State& state, const BlockView& block) {
+void Stepper::apply_effects(State& state, const BlockView& block, const Words& words) {
     for (const Effect& effect : program_->effects_in(block.effects))
         std::visit(
             overloaded{
@@ -234,7 +250,7 @@ void Stepper::apply_effects(State& state, const BlockView& block) {
                 },
                 [&](const UnreadableBlock&) { state.forget(); },
                 [&](const SetModal& set) {
-                    if (!set.group) state.forget_modes();
+                    if (!set.group) apply_computed_code(state, set.value, words);
                 },
                 [](const auto&) {},
             },
@@ -280,8 +296,7 @@ void Stepper::change_tool(State& state, const BlockView& block, const Words& wor
     const auto tool = words.number(machine_->tool);
     const Offset here = block.span.begin;
     if (!changes_tool_) {
-        if (words.has(machine_->tool))
-            state.prepared = tool ? Known::of(tool->value, here) : Known::nothing();
+        if (words.has(machine_->tool)) state.prepared = chosen(words, machine_->tool, here);
         return;
     }
     constexpr double offsets = 100;
@@ -305,10 +320,10 @@ void Stepper::change_tool(State& state, const BlockView& block, const Words& wor
     // `M6 T2`: where another tool was prepared, some machines change to that one and prepare this one.
     const bool is_doubtful = tool && state.prepared.is_known() && !state.prepared.is(none_prepared) &&
                              !state.prepared.is(tool->value);
-    if (is_doubtful || (words.has(machine_->tool) && !tool))
+    if (is_doubtful)
         state.tool = Known::nothing();
     else
-        state.tool = tool ? Known::of(tool->value, here) : state.prepared;
+        state.tool = words.has(machine_->tool) ? chosen(words, machine_->tool, here) : state.prepared;
     if (state.tool.is(none_prepared)) state.tool = Known::nothing(); // it brings the one before back
     if (state.tool.is_known()) state.tool.block = here;
     state.prepared = Known::of(none_prepared, here);
@@ -336,14 +351,19 @@ void Stepper::watch_tapping(State& state, const BlockView& block, const Words& w
 }
 
 void Stepper::choose_offsets(State& state, const BlockView& block, const Words& words) const {
-    const auto chosen = [&](char letter) {
-        const auto number = words.number(letter);
-        return number ? Known::of(number->value, block.span.begin) : Known::nothing();
-    };
+    const Offset here = block.span.begin;
     if (machine_->length_offset != 0 && words.has(machine_->length_offset))
-        state.choose_length_offset(chosen(machine_->length_offset));
+        state.choose_length_offset(chosen(words, machine_->length_offset, here));
     if (machine_->cutter_offset != 0 && words.has(machine_->cutter_offset))
-        state.cutter_offset = chosen(machine_->cutter_offset);
+        state.cutter_offset = chosen(words, machine_->cutter_offset, here);
+}
+
+/// The number of a word that chooses something: as it stands there, or as a call passes it.
+Known Stepper::chosen(const Words& words, char letter, Offset here) const {
+    if (const auto number = words.number(letter)) return Known::of(number->value, here);
+    const auto* value = std::get_if<ExpressionId>(&words.word(letter)->value);
+    const auto passed = value == nullptr ? std::nullopt : stored_.passed(*program_, *value);
+    return passed ? Known::passed_in(*passed, here) : Known::nothing();
 }
 
 Move Stepper::kind_of_move(const State& state, const Words& words) const {
@@ -373,11 +393,38 @@ std::optional<double> Stepper::target(const State& state, const Words& words, st
     return distance.is(machine_->absolute) ? absolute->value : from + absolute->value;
 }
 
+/// U0 W0 beside the code of a straight cut: the axes stay where they are. A circle may be a whole one.
+bool Stepper::stays_there(const State& state, const Words& words) const {
+    const auto motion = control_->group_with(ModalRole::motion);
+    if (!motion || contains(control_->groups[*motion].circles, state.of(ModalRole::motion).value))
+        return false;
+    bool stays = false;
+    for (std::size_t axis = 0; axis < state.position.size(); ++axis) {
+        const char letter = machine_->axes[axis], increment = machine_->increments[axis];
+        if (increment != 0 && words.has(increment)) {
+            const auto amount = words.number(increment);
+            if (!amount || amount->value != 0) return false;
+            stays = true;
+        }
+        if (letter == 0 || !words.has(letter)) continue;
+        const auto amount = words.number(letter);
+        const bool counts_on = has_distance_ && state.of(ModalRole::distance).is_known() &&
+                               !state.of(ModalRole::distance).is(machine_->absolute);
+        if (!counts_on || !amount || amount->value != 0) return false;
+        stays = true;
+    }
+    return stays;
+}
+
 void Stepper::move(State& state, const Words& words, Offset here) {
     move_ = kind_of_move(state, words);
     const double z_before = state.position[z_axis];
     const bool is_turning_cycle =
         move_ == Move::cycle && (words.has_one_of(machine_->returning) || !has_level_);
+    if ((move_ == Move::feed || is_turning_cycle) && !words.has_other_target() && stays_there(state, words)) {
+        move_ = Move::none;
+        return;
+    }
     for (std::size_t axis = 0; axis < state.position.size(); ++axis) {
         const std::optional<double> to = target(state, words, axis);
         if (!to) continue;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "analyzer/machine/state.hpp"
+#include "analyzer/machine/stored_variables.hpp"
 #include "analyzer/program/block_view.hpp"
 #include "analyzer/program/machine_words.hpp"
 #include "analyzer/program/tables.hpp"
@@ -53,7 +54,9 @@ class Words {
     [[nodiscard]] bool has_one_of(std::span<const double> wanted) const;
     /// From the first word to the last; empty where there are none.
     [[nodiscard]] Span span() const { return span_; }
+    /// Whether a G word, an M word is calculated.
     [[nodiscard]] bool has_computed_code() const { return has_computed_code_; }
+    [[nodiscard]] bool has_computed_function() const { return has_computed_function_; }
     /// Whether a word other than those of axes says where the move ends.
     [[nodiscard]] bool has_other_target() const { return has_other_target_; }
 
@@ -79,7 +82,7 @@ class Words {
     std::array<const Word*, 26> words_ = {};
     Codes g_codes_, m_codes_;
     Span span_ = {};
-    bool has_computed_code_ = false;
+    bool has_computed_code_ = false, has_computed_function_ = false;
     bool has_other_target_ = false;
     bool has_clamp_ = false;
     bool only_count_ = true;
@@ -144,17 +147,20 @@ class Stepper {
   private:
     void begin(const BlockView& block);
     void apply(State& state, const BlockView& block, const Words& words);
-    void apply_effects(State& state, const BlockView& block);
+    void apply_effects(State& state, const BlockView& block, const Words& words);
     void apply_functions(State& state, const Words& words, Offset here) const;
     void apply_settings(State& state, const BlockView& block) const;
+    void apply_computed_code(State& state, ExpressionId code, const Words& words);
     void watch_demands(State& state, const Words& words) const;
     void change_tool(State& state, const BlockView& block, const Words& words) const;
     void watch_tapping(State& state, const BlockView& block, const Words& words) const;
     void choose_offsets(State& state, const BlockView& block, const Words& words) const;
+    [[nodiscard]] Known chosen(const Words& words, char letter, Offset here) const;
     void move(State& state, const Words& words, Offset here);
     void run_blocks_elsewhere(State& state);
     void run_profile(State& state, const BlockView& block, const Words& words) const;
     void move_in_cycle(State& state, const Words& words) const;
+    [[nodiscard]] bool stays_there(const State& state, const Words& words) const;
     [[nodiscard]] Move kind_of_move(const State& state, const Words& words) const;
     [[nodiscard]] std::optional<double> target(const State& state, const Words& words,
                                                std::size_t axis) const;
@@ -163,6 +169,7 @@ class Stepper {
     const ControlModel* control_;
     const MachineWords* machine_;
     const ShopDemands* demands_; ///< nullptr: no blocks are demanded
+    StoredVariables stored_;
     std::optional<GroupId> spindle_, cycle_;
     std::optional<double> spindle_off_, cycle_off_;
     bool has_distance_, has_level_; ///< groups that not every control has
@@ -174,6 +181,7 @@ class Stepper {
     bool moves_ = false;
     bool without_feed_ = false;
     bool to_reference_ = false;
+    bool has_applied_code_ = false; ///< one that is calculated
 };
 
 } // namespace maclint::machine

@@ -165,6 +165,8 @@ struct ControlModel {
     std::string letters_listed = {};             ///< "GM": the letters whose own codes are listed
     std::span<const ControlOption> options = {}; ///< of the control; which are fitted, nobody says
     std::string axes = {}; ///< letters of those that the machine has: "XYZA"; empty: nobody says
+    /// Letters of arguments that are numbers of something, with a decimal point or without.
+    std::string_view numbering_arguments = {};
     bool calculator_input =
         false; ///< a length without a point counts in millimetres or inches: X100 is X100.
     /// Where none names G codes, those of a modal group exclude each other.

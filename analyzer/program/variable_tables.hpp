@@ -78,6 +78,8 @@ struct VariableRange {
     std::int32_t numbers_of_a_set = 0;
     /// Of work offsets: the code under which the first set counts; the next set has the next code.
     std::optional<double> first_code = {};
+    bool counts_from_machine = false; ///< of positions: in coordinates of the machine, not of the program
+    bool is_block_end = false;        ///< positions where the last block has ended, as it was programmed
 
     /// The axis of a number that goes by axes, from 1 on; 0 for others.
     [[nodiscard]] std::int32_t axis(std::int32_t number) const {

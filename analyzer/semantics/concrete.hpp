@@ -39,6 +39,11 @@ using Result = std::variant<double, DomainError, NotModelled>;
 [[nodiscard]] constexpr bool is_comparison(Operation operation) {
     return operation >= Operation::equal && operation <= Operation::greater_equal;
 }
+/// Whether it asks for less or more.
+[[nodiscard]] constexpr bool is_order(Operation operation) {
+    return operation == Operation::less || operation == Operation::less_equal ||
+           operation == Operation::greater || operation == Operation::greater_equal;
+}
 [[nodiscard]] constexpr bool is_vacancy_test(Operation operation) {
     return operation == Operation::is_vacant || operation == Operation::is_set;
 }

@@ -74,7 +74,7 @@ const machine::States& ProgramAnalysis::machine() const {
         for (const CallSite& site : calls_)
             if (const GivenWord* word = word_at(site.effect))
                 words->emplace(site.effect, machine::left_by(*word, control()));
-        return std::make_unique<const machine::States>(
+        auto states = std::make_unique<machine::States>(
             *program_, graph_,
             [this, words](EffectId call) -> const machine::Left* {
                 if (const auto word = words->find(call); word != words->end()) return &word->second;
@@ -82,6 +82,10 @@ const machine::States& ProgramAnalysis::machine() const {
                 return called == nullptr ? nullptr : &called->machine().left();
             },
             std::nullopt);
+        for (const dataflow::GroupChange& change : summary().groups)
+            if (change.may_keep && change.codes.empty() && !change.other)
+                states->leaves_as_it_was(control().groups[change.group].role);
+        return std::unique_ptr<const machine::States>(std::move(states));
     });
 }
 

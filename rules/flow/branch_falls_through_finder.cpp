@@ -32,10 +32,23 @@ struct Leaving {
     [[nodiscard]] bool leads_where(const Leaving& other) const { return to == other.to; }
 };
 
+/// The text without what stands in ( ).
+std::string without_remarks(std::string_view text) {
+    std::string rest;
+    int depth = 0;
+    for (const char c : text) {
+        if (c == '(') ++depth;
+        if (depth == 0) rest += c;
+        if (c == ')' && depth > 0) --depth;
+    }
+    return rest;
+}
+
 class Tables {
   public:
     explicit Tables(const ProgramAnalysis& analysis)
-        : program_(analysis.program())
+        : analysis_(analysis)
+        , program_(analysis.program())
         , graph_(analysis.graph()) {}
 
     [[nodiscard]] std::vector<FallingBranch> find() const {
@@ -53,6 +66,7 @@ class Tables {
             if (test) table.push_back(*test);
         }
         if (const auto falling = falling_branch(table)) found.push_back(*falling);
+        find_by_number(found);
         find_twins(found);
         return found;
     }
@@ -138,6 +152,24 @@ class Tables {
                              graph_.nodes[branches[*falling + 1].target].part, twice->by};
     }
 
+    /// GOTO[#1*100]: the blocks that it may lead to, but for those to which others jump as well.
+    void find_by_number(std::vector<FallingBranch>& found) const {
+        for (const flow::ResolvedJump& jump : graph_.jumps) {
+            if (jump.target || jump.label) continue;
+            std::vector<Test> table;
+            for (const flow::LabelledBlock& block : analysis_.targets_of(jump))
+                if (block.node > jump.node && !is_jumped_to(block.node))
+                    table.push_back({jump.node, block.node, jump.jump, {}});
+            if (const auto falling = falling_branch(table)) found.push_back(*falling);
+        }
+    }
+
+    [[nodiscard]] bool is_jumped_to(flow::NodeId node) const {
+        return std::ranges::any_of(graph_.in[node], [&](flow::EdgeId id) {
+            return graph_.edges[id].kind == flow::EdgeKind::jump;
+        });
+    }
+
     /// A test of whatever, and its jump.
     [[nodiscard]] std::optional<Test> any_test_at(flow::NodeId node) const {
         if (node >= graph_.nodes_in_text) return std::nullopt;
@@ -151,8 +183,8 @@ class Tables {
 
     /// What stands there, with its numbers and blanks left out: "N#=#+GOTO".
     [[nodiscard]] std::string shape_between(flow::NodeId begin, flow::NodeId end) const {
-        std::string shape =
-            without_blanks(program_.slice({graph_.nodes[begin].part.begin, graph_.nodes[end].part.begin}));
+        std::string shape = without_blanks(
+            without_remarks(program_.slice({graph_.nodes[begin].part.begin, graph_.nodes[end].part.begin})));
         std::erase_if(shape, [](char c) { return is_digit(c) || c == '.' || c == '-' || c == '\n'; });
         return shape;
     }
@@ -171,17 +203,28 @@ class Tables {
         }
     }
 
+    /// Whether both ask one variable for numbers, and any other number is an alarm.
+    [[nodiscard]] bool are_all_cases(const Test& first, const Test& second) const {
+        const auto a = asked_in(first.asked), b = asked_in(second.asked);
+        if (!a || !b || !queries::same_expression(program_, *a, *b)) return false;
+        flow::NodeId other = second.node + nodes_of_a_test;
+        if (const flow::Edge* jump = only_jump_at(other)) other = jump->to;
+        return std::ranges::any_of(graph_.exits_at(other),
+                                   [](const flow::Exit& exit) { return exit.kind == flow::ExitKind::alarm; });
+    }
+
     [[nodiscard]] std::optional<FallingBranch> falling_twin(const Test& first, const Test& second) const {
         if (first.target <= second.node || second.target <= first.target ||
             second.target - first.target > most_nodes || !is_run_into(second.target, first.target))
             return std::nullopt;
         const flow::NodeId end = std::min<flow::NodeId>(graph_.nodes_in_text, second.target + most_nodes);
         for (flow::NodeId node = second.target; node < end; ++node) {
-            const auto how = leaving_at(node);
+            const bool is_of_a_test = node > second.target && any_test_at(node - 1);
+            const auto how = is_of_a_test ? std::nullopt : leaving_at(node);
             if (!how) continue;
             const std::string shape = shape_between(first.target, second.target);
-            if (shape.find('=') == std::string::npos || shape != shape_between(second.target, node))
-                return std::nullopt;
+            const bool does_something = shape.find('=') != std::string::npos || are_all_cases(first, second);
+            if (!does_something || shape != shape_between(second.target, node)) return std::nullopt;
             return FallingBranch{first.jump, graph_.nodes[first.target].part,
                                  graph_.nodes[second.target].part, how->by};
         }
@@ -213,6 +256,7 @@ class Tables {
         return std::nullopt;
     }
 
+    const ProgramAnalysis& analysis_;
     const Program& program_;
     const flow::Graph& graph_;
 };

@@ -8,6 +8,8 @@
 #include "rules/listed.hpp"
 #include "rules/path.hpp"
 
+#include <algorithm>
+
 namespace maclint::rules {
 namespace {
 
@@ -22,13 +24,32 @@ bool has_no_condition(const ProgramAnalysis& analysis, const dataflow::Loop& loo
     return region != nullptr && region->region_kind == RegionKind::endless_loop;
 }
 
+/// A loop that something stops, and that no path leaves otherwise: what it counts in its own variables never
+/// changes.
+std::optional<EndlessLoopWords> until_it_is_stopped(const ProgramAnalysis& analysis,
+                                                    const dataflow::Loop& loop) {
+    if (loop.has_unknown_effects || !queries::is_never_left(analysis, loop)) return std::nullopt;
+    const auto deciders = queries::unchanging_deciders(analysis, loop);
+    const bool counts =
+        deciders && !deciders->empty() && std::ranges::all_of(loop.exit_edges, [&](flow::EdgeId id) {
+            return queries::asks_for_less_or_more(analysis.program(), *analysis.graph().edges[id].condition);
+        });
+    const auto is_own = [&](Variable variable) {
+        return analysis.control().spaces[variable.space].scope == Scope::frame;
+    };
+    if (!counts || !std::ranges::all_of(*deciders, is_own)) return std::nullopt;
+    return EndlessLoopWords{
+        "until-stopped", {list(analysis.program(), *deciders)}, "and nothing has changed"};
+}
+
 } // namespace
 
 std::optional<EndlessLoopWords> endless_loop_words(const ProgramAnalysis& analysis,
                                                    const dataflow::Loop& loop) {
-    if (loop.can_stop || queries::is_endless_by_jumps(loop) || has_no_condition(analysis, loop) ||
+    if (queries::is_endless_by_jumps(loop) || has_no_condition(analysis, loop) ||
         queries::is_in_endless_jumps(analysis, loop))
         return std::nullopt;
+    if (loop.can_stop) return until_it_is_stopped(analysis, loop);
     const Program& program = analysis.program();
     const auto deciders = queries::unchanging_deciders(analysis, loop);
     if (!deciders) {

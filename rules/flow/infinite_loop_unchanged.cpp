@@ -47,6 +47,10 @@ extern const Rule infinite_loop_unchanged{
                   "Loop that only its jumps leave: nothing in it changes '{1}', and no path comes to the "
                   "block behind '{0}'.",
                   "Count in the loop what the condition asks for."},
+                 {"until-stopped",
+                  "Loop that only an alarm or a stop ends: once '{0}' is entered, nothing in it changes "
+                  "{1}.",
+                  "Change the variable in the loop, or leave the loop."},
                  {"no-exit", "Endless loop: nothing leads out of '{0}'.",
                   "Count in a variable that its condition asks, or leave it."}},
     .bad = {{"fanuc", R"nc(
@@ -118,7 +122,8 @@ void check(const ProgramAnalysis& analysis, Reporter& reporter) {
         words->more.insert(words->more.begin(), quoted(analysis.program(), span));
         Finding& finding = reporter.report(by ? Cause{analysis, *by} : Cause{analysis, span}, span, words->id,
                                            std::move(words->more));
-        if (words->id == "idle") finding.severity = Severity::warning; // it ends, if not so
+        if (words->id == "idle" || words->id == "until-stopped")
+            finding.severity = Severity::warning; // it ends, if not so
         trace_round(finding, analysis, loop, words->again);
     }
 }

@@ -33,11 +33,31 @@ bool is_set_outside(const ProgramAnalysis& analysis, const dataflow::Loop& inner
     return is_set;
 }
 
-bool may_change(const ProgramAnalysis& analysis, const dataflow::Loop& around, ExpressionId bound) {
-    const dataflow::ReadSet set = dataflow::variables_of(analysis.program(), bound);
-    return !set.closed || std::ranges::any_of(set.variables, [&](Variable variable) {
-        return around.changes.may_change(variable);
-    });
+/// Whether the loop changes the bound only in steps that lead it to the counter: #32=#32-1 for #29LT#32.
+bool only_comes_nearer(const ProgramAnalysis& analysis, const dataflow::Loop& around,
+                       const queries::CounterTest& test) {
+    const auto* load = std::get_if<Load>(&analysis.program().expressions[test.bound].node);
+    if (load == nullptr || around.changes.clobbered(load->variable)) return false;
+    const bool counts_up = test.stays == Operation::less || test.stays == Operation::less_equal;
+    const bool counts_down = test.stays == Operation::greater || test.stays == Operation::greater_equal;
+    if (!counts_up && !counts_down) return false;
+    bool nearer = true;
+    dataflow::for_each_in_body(
+        around, analysis.facts().all<dataflow::Store>(), [&](const dataflow::Store& store) {
+            if (!(store.variable == load->variable)) return;
+            const auto amount = store.step ? store.step->amount.constant() : std::nullopt;
+            nearer &= amount && *amount > 0 && counts_up == (store.step->operation == Operation::subtract);
+        });
+    return nearer;
+}
+
+bool may_let_it_run(const ProgramAnalysis& analysis, const dataflow::Loop& around,
+                    const queries::CounterTest& test) {
+    const dataflow::ReadSet set = dataflow::variables_of(analysis.program(), test.bound);
+    const bool stays = set.closed && std::ranges::none_of(set.variables, [&](Variable variable) {
+                           return around.changes.may_change(variable);
+                       });
+    return !stays && !only_comes_nearer(analysis, around, test);
 }
 
 /// The step of an earlier loop that stands before it, after which nothing sets the variable up to it.
@@ -90,7 +110,7 @@ std::vector<RunOnce> find_loops_run_once(const ProgramAnalysis& analysis) {
         const dataflow::Loop* around = loop_around(analysis, loop);
         if (around == nullptr || around->changes.clobbered(counter->variable) ||
             is_set_outside(analysis, loop, *around, counter->variable) ||
-            may_change(analysis, *around, counter->tests.front().bound))
+            may_let_it_run(analysis, *around, counter->tests.front()))
             continue;
         found.push_back({&loop, around, std::move(*counter)});
     }

@@ -31,6 +31,10 @@ extern const Rule unreachable_code{
                  {"middle",
                   "End in the middle: '{0}' follows '{1}' on line {2} without a number, and is never run.",
                   "Delete the end, or what stands behind it."},
+                 {"only-end",
+                  "Unreachable end: no jump leads to N{0}, '{1}' on line {2} passes it, and the program ends "
+                  "nowhere else but in alarms.",
+                  "Correct the jump that was to lead there."},
                  {"passed", "Unreachable: '{0}' stands behind '{1}' on line {2} and is never run.",
                   "Move it before that, jump to it, or delete it.", true},
                  {"block", "Unreachable: no jump leads to N{0}, and '{1}' on line {2} passes it.",
@@ -100,7 +104,8 @@ M30
 )nc"}},
          {&exemptions::no_alarm_is_raised,
           "no-alarm-is-raised",
-          "The program raises none of its alarms: they are kept for later, or were taken over with the rest.",
+          "The program raises none of its alarms, and nothing moves in front of this one: they are kept for "
+          "later, or were taken over with the rest.",
           {"fanuc", R"nc(
 O9460(BORE, Z)
 G90 G0 Z#26

@@ -26,22 +26,55 @@ bool is_parted(const Program& program, const Effect& ender, Span work) {
     });
 }
 
+/// Whether the program comes to an end, or returns, where a path leads.
+bool ends_elsewhere(const ProgramAnalysis& analysis) {
+    return std::ranges::any_of(analysis.graph().exits, [&](const flow::Exit& exit) {
+        return exit.kind != flow::ExitKind::alarm && analysis.data().reached(exit.node);
+    });
+}
+
+/// Whether the first block jumps back, to one that paths lead to.
+bool jumps_back(const ProgramAnalysis& analysis, const queries::UnreachedRegion& region) {
+    return std::ranges::any_of(analysis.graph().jumps, [&](const flow::ResolvedJump& jump) {
+        return jump.target && region.head.contains(analysis.program().effects[jump.jump].span.begin) &&
+               jump.target->node < region.first &&
+               analysis.graph().order[jump.target->node] != flow::Graph::no_order;
+    });
+}
+
+/// Whether the region ends as a subprogram does, and nowhere else.
+bool region_returns(const ProgramAnalysis& analysis, const queries::UnreachedRegion& region) {
+    bool returns = false;
+    for (flow::NodeId node = region.first; node <= region.last; ++node)
+        for (const Effect& effect : analysis.program().effects_in(analysis.graph().nodes[node].effects)) {
+            if (std::holds_alternative<Stop>(effect.what)) return false;
+            returns |= std::holds_alternative<Return>(effect.what);
+        }
+    return returns;
+}
+
 /// Whether the blocks go on right behind the end, with no number, remark or free line that would make a part
-/// of its own of them, nor a tool: `M30`, `G55 G0 X0`.
+/// of its own of them, nor a tool: `M30`, `G55 G0 X0`; or with a jump back into what is run: `M30`,
+/// `IF[#1LT3]GOTO2`.
 bool goes_right_on(const ProgramAnalysis& analysis, const queries::UnreachedRegion& region,
                    const Effect& ender) {
     const auto* stop = std::get_if<Stop>(&ender.what);
-    if (stop == nullptr || stop->kind != Stop::Kind::end || region.number || !region.moves) return false;
+    const bool ends =
+        (stop != nullptr && stop->kind == Stop::Kind::end) || std::holds_alternative<Return>(ender.what);
+    if (!ends || region.number || !region.moves) return false;
+    // A program that repeats itself, with another one behind it.
+    const bool returns = std::holds_alternative<Return>(ender.what);
+    if (returns && !region_returns(analysis, region)) return false;
     const Program& program = analysis.program();
     const std::string_view between = program.slice({ender.span.end, region.head.begin});
     const bool has_more = between.find_first_not_of(" \t\r\n;") != std::string_view::npos;
     const std::uint32_t lines = analysis.source()->position(region.head.begin).line -
                                 analysis.source()->position(ender.span.end).line;
-    if (has_more || lines > 1 || region.head != region.work) return false;
+    if (has_more || lines > 1 || (region.head != region.work && !jumps_back(analysis, region))) return false;
     const auto changes_tool = [](const Effect& effect) {
         return std::holds_alternative<ToolChange>(effect.what);
     };
-    bool has_tool = program.slice(region.head).find('T') != std::string_view::npos;
+    bool has_tool = program.slice(*region.work).find('T') != std::string_view::npos;
     for (flow::NodeId node = region.first; node <= region.last; ++node)
         has_tool |=
             std::ranges::any_of(program.effects_in(analysis.graph().nodes[node].effects), changes_tool);
@@ -60,13 +93,17 @@ std::optional<UnreachedWords> words_for(const ProgramAnalysis& analysis,
     const std::string line = line_number(analysis.file(), ender.span.begin);
     if (region.number && region.is_alarm) {
         const Span alarm = program.effects[region.alarms.front()].span;
-        if (exemptions::no_alarm_is_raised.is_on() && !another_is_raised) return std::nullopt;
+        // An alarm that retracts first was written for this program.
+        if (exemptions::no_alarm_is_raised.is_on() && !another_is_raised && !region.moves)
+            return std::nullopt;
         return UnreachedWords{"alarm",
                               region.head,
                               {number, quoted(program, alarm)},
                               region.is_named,
                               std::span(region.alarms).subspan(1)};
     }
+    if (region.leaves && region.number && !ends_elsewhere(analysis))
+        return UnreachedWords{"only-end", region.head, {number, before, line}, true};
     const auto* stop = std::get_if<Stop>(&ender.what);
     const bool ends = stop != nullptr && stop->kind != Stop::Kind::alarm;
     if (!region.work) return std::nullopt;

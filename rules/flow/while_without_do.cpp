@@ -10,11 +10,21 @@ extern const Rule while_without_do{
     .why = "The control stops with a format alarm; the END further down belongs to nothing.",
     .severity = Severity::error,
     .precision = Precision::very_high,
-    .messages = {{"plain", "Missing DO: '{0}' has none, and the control stops here.", "Add DO1 at its end."}},
+    .messages = {{"plain", "Missing DO: '{0}' has none, and the control stops here.", "Add DO1 at its end."},
+                 {"cure", "Missing DO: '{0}' has none, and the control stops here.",
+                  "Write {1}, with the number of its END."}},
     .bad = {{"fanuc", R"nc(
 O9311(ROW)
 #100=0
 WHILE[#100LT5]
+#100=#100+1
+END1
+M30
+)nc"},
+            {"fanuc", R"nc(
+O9311(ROW)
+#100=0
+WHILE[#100LT5]GOTO1
 #100=#100+1
 END1
 M30

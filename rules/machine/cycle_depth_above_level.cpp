@@ -1,5 +1,6 @@
 //! MAC532: a canned cycle whose bottom lies above the level from which it feeds.
 #include "analyzer/dataflow/facts/call_begun.hpp"
+#include "analyzer/dataflow/facts/point_state.hpp"
 #include "analyzer/dataflow/facts/read.hpp"
 #include "rules/machine_check.hpp"
 #include "rules/path.hpp"
@@ -19,7 +20,7 @@ extern const Rule cycle_depth_above_level{
         "rapid to where it should begin to cut.",
     .severity = Severity::warning,
     .precision = Precision::very_high,
-    .facts = dataflow::facts<dataflow::CallBegun, dataflow::Read>(),
+    .facts = dataflow::facts<dataflow::BeforeNode, dataflow::CallBegun, dataflow::Read>(),
     .messages = {{"above",
                   "Bottom of the cycle above its start: '{0}' is no deeper than '{1}', from where the tool "
                   "feeds down.",

@@ -51,7 +51,7 @@ namespace {
 bool only_moves(const MachineStep& at) {
     constexpr double incremental = 91;
     const MachineWords& letters = at.letters();
-    return !at.step.calls && !at.step.words.has_computed_code() &&
+    return !at.step.calls && !at.step.words.has_computed_code() && !at.step.words.has_computed_function() &&
            std::ranges::all_of(
                at.step.words.g_codes(),
                [&](double code) { return code == letters.absolute || code == incremental; }) &&

@@ -1,4 +1,7 @@
 //! MAC558: a full circle by its radius.
+#include "analyzer/dataflow/facts/call_begun.hpp"
+#include "analyzer/dataflow/facts/point_state.hpp"
+#include "analyzer/dataflow/facts/read.hpp"
 #include "rules/machine_check.hpp"
 #include "rules/path.hpp"
 
@@ -16,6 +19,7 @@ extern const Rule full_circle_by_radius{
            "stands still, or goes straight down where a helix was meant.",
     .severity = Severity::warning,
     .precision = Precision::very_high,
+    .facts = dataflow::facts<dataflow::BeforeNode, dataflow::CallBegun, dataflow::Read>(),
     .messages = {{"stands",
                   "Full circle by its radius: '{0}' ends where it begins, and with {1} nothing is cut.",
                   "Write the centre in {2} in place of {1}."}},
@@ -38,7 +42,7 @@ G0 Z50.
 M30
 )nc"}},
     .sources = {"T: REF"},
-    .check = MachineCheck{&check},
+    .check = MachineCheck{.check = &check, .with_numbers_of_calls = true},
 };
 
 namespace {

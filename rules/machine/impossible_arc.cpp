@@ -1,5 +1,6 @@
 //! MAC522: a circle that cannot be.
 #include "analyzer/dataflow/facts/call_begun.hpp"
+#include "analyzer/dataflow/facts/point_state.hpp"
 #include "analyzer/dataflow/facts/read.hpp"
 #include "analyzer/dataflow/facts/store.hpp"
 #include "rules/machine/impossible_arc_sizes.hpp"
@@ -19,7 +20,7 @@ extern const Rule impossible_arc{
     .why = "The control stops in the cut, or takes another path than the one that was meant.",
     .severity = Severity::error,
     .precision = Precision::very_high,
-    .facts = dataflow::facts<dataflow::CallBegun, dataflow::Read, dataflow::Store>(),
+    .facts = dataflow::facts<dataflow::BeforeNode, dataflow::CallBegun, dataflow::Read, dataflow::Store>(),
     .messages = {{"radii", "Radii of the arc differ: '{0}' begins {1} from its centre and ends {2} from it.",
                   "Correct its end, or the centre in {3}."},
                  {"chord",
@@ -119,10 +120,11 @@ void check(const MachineStep& at, Reporter& reporter) {
     // Who calls a program may have said the plane for it.
     const bool is_said = !arc->plane_of_start;
     if (!is_said && arc->leaves_plane && !at.analysis.is_main()) return;
-    Finding& finding = reporter.report(
-        at.cause(), word, "other-plane",
-        {quoted(at.analysis.program(), word),
-         is_said ? at.spelled(at.after(), ModalRole::plane) : "the plane of X and Y", arc->letters});
+    const char* start = at.letters().x_is_diameter ? "the plane of Z and X" : "the plane of X and Y";
+    Finding& finding =
+        reporter.report(at.cause(), word, "other-plane",
+                        {quoted(at.analysis.program(), word),
+                         is_said ? at.spelled(at.after(), ModalRole::plane) : start, arc->letters});
     if (!is_said) finding.severity = Severity::warning, finding.alarm = {};
 }
 

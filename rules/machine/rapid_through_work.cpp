@@ -1,9 +1,6 @@
 //! MAC555: a rapid move at a depth, through material that is still there.
-#include "analyzer/machine/rapid_through_work.hpp"
-
-#include "analyzer/program/model.hpp"
 #include "analyzer/workspace/program_analysis.hpp"
-#include "rules/path.hpp"
+#include "rules/machine/rapid_words.hpp"
 #include "rules/rule.hpp"
 
 namespace maclint::rules {
@@ -19,17 +16,21 @@ extern const Rule rapid_through_work{
     .why = "At rapid traverse the tool breaks in the work, or tears it out of its clamps.",
     .severity = Severity::warning,
     .precision = Precision::high,
-    .messages = {{"cut-later",
-                  "Rapid move through the work: '{0}' runs at Z{1}, where nothing is cut so deep before, and "
-                  "crosses what line {2} cuts later.",
-                  "Write G1, or lift the tool before."},
-                 {"cut-less-deep",
-                  "Rapid move through the work: '{0}' runs at Z{1} along what line {2} has cut less deep.",
-                  "Write G1, or lift the tool before."},
-                 {"not-lifted",
-                  "Rapid move through the work: '{0}' runs at Z{1}, to which line {2} cuts; behind all its "
-                  "other cuts this tool is lifted.",
-                  "Lift the tool before, or write G1."}},
+    .messages =
+        {{"cut-later",
+          "Rapid move through the work: '{0}' runs at Z{1}, where nothing is cut so deep before, and "
+          "crosses what line {2} cuts later.",
+          "Write G1, or lift the tool before."},
+         {"cut-less-deep",
+          "Rapid move through the work: '{0}' runs at Z{1} along what line {2} has cut less deep.",
+          "Write G1, or lift the tool before."},
+         {"not-lifted",
+          "Rapid move through the work: '{0}' runs at Z{1}, to which line {2} cuts; behind all its "
+          "other cuts this tool is lifted.",
+          "Lift the tool before, or write G1."},
+         {"late-lift",
+          "Lifted too late: '{0}' moves aside with the tool at Z{1}, and line {2} lifts it behind that.",
+          "Lift the tool first."}},
     .bad = {{"fanuc", R"nc(
 O9555(OUTLINE)
 G21 G17 G90 G54 G0 X-20. Y-20.
@@ -54,6 +55,19 @@ X-20.
 Z-8.
 X40.
 G1 X100.
+G0 Z50.
+M30
+)nc"},
+            {"fanuc", R"nc(
+O9555(TWO SLOTS)
+G21 G17 G90 G54 G0 X0 Y0
+G43 H1 Z2.
+G1 Z-6. F120.
+X50. F300.
+G0 X0 Y40.
+Z2.
+G1 Z-6. F120.
+X50. F300.
 G0 Z50.
 M30
 )nc"},
@@ -97,26 +111,7 @@ M30
 
 namespace {
 
-std::string_view message_of(machine::RapidThroughWork::Evidence evidence) {
-    switch (evidence) {
-        using enum machine::RapidThroughWork::Evidence;
-    case cut_later: return "cut-later";
-    case cut_less_deep: return "cut-less-deep";
-    case not_lifted: break;
-    }
-    return "not-lifted";
-}
-
-void check(const ProgramAnalysis& analysis, Reporter& reporter) {
-    for (const machine::RapidThroughWork& rapid :
-         machine::rapid_moves_through_work(analysis.program(), analysis.machine())) {
-        reporter
-            .report({analysis, rapid.block}, rapid.block, message_of(rapid.evidence),
-                    {quoted(analysis.program(), rapid.block), number_word(rapid.z),
-                     line_number(analysis.file(), rapid.cut.begin)})
-            .related.push_back({analysis.source(), rapid.cut, "this block cuts there"});
-    }
-}
+void check(const ProgramAnalysis& analysis, Reporter& reporter) { report_rapid_moves(analysis, reporter); }
 
 } // namespace
 } // namespace maclint::rules

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <span>
+#include <variant>
 
 namespace maclint::rules {
 namespace {
@@ -30,11 +31,20 @@ std::vector<RepeatedAddress> occurrences_in(std::span<const Word> words) {
     return occurrences;
 }
 
+/// Whether both are written alike, or are the same number: F0.010 and F.010.
+bool are_alike(const Program& program, const Word& one, const Word& other) {
+    const auto* a = std::get_if<Literal>(&one.value);
+    const auto* b = std::get_if<Literal>(&other.value);
+    const bool same_number = a != nullptr && b != nullptr && a->value == b->value &&
+                             a->decimal_point == b->decimal_point && one.incremental == other.incremental;
+    return same_number || program.slice(one.span) == program.slice(other.span);
+}
+
 const Word* word_unlike_the_last(const Program& program, std::span<const Word> words,
                                  const RepeatedAddress& address) {
     const auto other = std::ranges::find_if(words, [&](const Word& word) {
         return word.address == address.address && word.has_value() &&
-               program.slice(word.span) != program.slice(address.last->span);
+               !are_alike(program, word, *address.last);
     });
     return other == words.end() ? nullptr : &*other;
 }

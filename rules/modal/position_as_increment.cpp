@@ -1,6 +1,7 @@
 //! MAC536: a position that was read stands in a move that counts from where the tool is.
 #include "analyzer/dataflow/facts/point_state.hpp"
 #include "analyzer/dataflow/facts/read.hpp"
+#include "analyzer/dataflow/facts/store.hpp"
 #include "analyzer/program/machine_words.hpp"
 #include "analyzer/program/tables.hpp"
 #include "rules/modal/position_as_increment_finder.hpp"
@@ -21,7 +22,7 @@ extern const Rule position_as_increment{
     .why = "The axis moves by as much as its position is far from zero, and not to that position.",
     .severity = Severity::warning,
     .precision = Precision::high,
-    .facts = dataflow::facts<dataflow::BeforeNode, dataflow::Read>(),
+    .facts = dataflow::facts<dataflow::BeforeNode, dataflow::Read, dataflow::Store>(),
     .data_flow = true,
     .messages = {{"plain",
                   "Position as a distance: '{0}' moves by the position that '{1}' reads, because {2} of line "

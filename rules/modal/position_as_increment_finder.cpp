@@ -1,10 +1,11 @@
 //! Looks at the words of each move under the modes that may be in force there.
 #include "rules/modal/position_as_increment_finder.hpp"
 
-#include "analyzer/dataflow/facts/read.hpp"
+#include "analyzer/dataflow/facts/store.hpp"
 #include "analyzer/program/machine_words.hpp"
 #include "analyzer/program/tables.hpp"
 #include "analyzer/queries/values/positions.hpp"
+#include "analyzer/queries/words/moving_words.hpp"
 
 #include <algorithm>
 #include <optional>
@@ -28,7 +29,7 @@ class Finder {
         std::set<Offset> told; // codes
         queries::ModesAt modes_at(analysis_);
         for_each_block(program_, [&](const BlockView& block) {
-            const auto effect = words_of_move(block);
+            const auto effect = queries::words_of_move(program_, block);
             const auto node = effect ? analysis_.graph().node_of(*effect) : std::nullopt;
             if (!node || !Budget::allows()) return;
             const auto word = first_position(*effect);
@@ -49,46 +50,43 @@ class Finder {
         ExpressionId position;
     };
 
-    /// The effect that calculates the words of a move; nothing where the block moves otherwise.
-    [[nodiscard]] std::optional<EffectId> words_of_move(const BlockView& block) const {
-        std::optional<EffectId> words;
-        bool moves = false;
-        for (EffectId id = block.effects.first; id < block.effects.first + block.effects.count; ++id) {
-            const auto& what = program_.effects[id].what;
-            if (std::holds_alternative<EvaluateWords>(what)) words = id;
-            const auto* motion = std::get_if<Motion>(&what);
-            moves |= motion != nullptr && !motion->to_reference && !motion->without_feed;
-        }
-        return moves ? words : std::nullopt;
-    }
-
-    /// Whether nothing is taken away from anything.
+    /// Whether no position can be taken away from another.
     [[nodiscard]] bool only_adds(ExpressionId id) const {
         const auto* apply = std::get_if<Apply>(&program_.expressions[id].node);
         if (apply == nullptr) return true;
-        if (apply->operation == Operation::subtract || apply->operation == Operation::negate) return false;
-        return std::ranges::all_of(program_.operands_of(*apply),
-                                   [&](ExpressionId operand) { return only_adds(operand); });
+        const auto operands = program_.operands_of(*apply);
+        if (apply->operation == Operation::subtract)
+            return only_adds(operands[0]) && is_made_of_arguments(operands[1]);
+        if (apply->operation == Operation::negate) return is_made_of_arguments(operands[0]);
+        return std::ranges::all_of(operands, [&](ExpressionId operand) { return only_adds(operand); });
+    }
+
+    /// Whether numbers and arguments that nothing is stored in make it up: no position of this program.
+    [[nodiscard]] bool is_made_of_arguments(ExpressionId id) const {
+        const auto& node = program_.expressions[id].node;
+        if (const auto* load = std::get_if<Load>(&node))
+            return program_.is_formal(load->variable) &&
+                   analysis_.facts().about<dataflow::Store>(load->variable).empty();
+        const auto* apply = std::get_if<Apply>(&node);
+        return std::holds_alternative<Literal>(node) ||
+               (apply != nullptr && std::ranges::all_of(program_.operands_of(*apply), [&](ExpressionId of) {
+                    return is_made_of_arguments(of);
+                }));
     }
 
     [[nodiscard]] std::optional<PositionWord> first_position(EffectId effect) const {
         const auto node = analysis_.graph().node_of(effect);
         std::optional<PositionWord> found;
-        for_each_block_with_words(
-            program_, analysis_.graph().nodes[*node].stretch(),
-            [&](const BlockView&, std::span<const Word> words) {
-                if (std::ranges::any_of(words, [&](const Word& word) { return counts_elsewhere(word); }))
-                    return;
-                for (const Word& word : words)
-                    if (!found) found = position_in(effect, word);
-            });
+        for_each_block_with_words(program_, analysis_.graph().nodes[*node].stretch(),
+                                  [&](const BlockView&, std::span<const Word> words) {
+                                      if (std::ranges::any_of(words, [&](const Word& word) {
+                                              return queries::counts_from_machine(machine_, word);
+                                          }))
+                                          return;
+                                      for (const Word& word : words)
+                                          if (!found) found = position_in(effect, word);
+                                  });
         return found;
-    }
-
-    [[nodiscard]] bool counts_elsewhere(const Word& word) const {
-        const auto* code = std::get_if<Literal>(&word.value);
-        return code != nullptr && word.address == "G" &&
-               std::ranges::find(machine_.of_machine, code->value) != machine_.of_machine.end();
     }
 
     [[nodiscard]] std::optional<PositionWord> position_in(EffectId effect, const Word& word) const {
@@ -102,26 +100,14 @@ class Finder {
 
     /// The position in the sum, or of which a variable in it is a copy.
     [[nodiscard]] std::optional<ExpressionId> position_in(EffectId effect, ExpressionId id) const {
-        const auto& node = program_.expressions[id].node;
-        if (is_position(id)) return id;
-        if (std::holds_alternative<Load>(node)) {
-            const auto reads = analysis_.facts().at<dataflow::Read>(effect);
-            const auto read = std::ranges::find(reads, id, &dataflow::Read::expression);
-            if (read == reads.end()) return std::nullopt;
-            const auto made = analysis_.data().table().symbols[read->value.symbol].expression();
-            if (!made || *made >= program_.expressions.size()) return std::nullopt;
-            const auto of_copy = static_cast<ExpressionId>(*made);
-            return is_position(of_copy) ? std::optional(of_copy) : std::nullopt;
-        }
-        const auto* sum = std::get_if<Apply>(&node);
-        if (sum == nullptr || sum->operation != Operation::add) return std::nullopt;
+        if (const auto position = queries::copied_position(analysis_, effect, id)) return position;
+        const auto* sum = std::get_if<Apply>(&program_.expressions[id].node);
+        const bool is_sum = sum != nullptr && (sum->operation == Operation::add ||
+                                               sum->operation == Operation::subtract); // see only_adds
+        if (!is_sum) return std::nullopt;
         for (const ExpressionId operand : program_.operands_of(*sum))
             if (const auto found = position_in(effect, operand)) return found;
         return std::nullopt;
-    }
-
-    [[nodiscard]] bool is_position(ExpressionId id) const {
-        return queries::position_read(program_, id) != nullptr;
     }
 
     const ProgramAnalysis& analysis_;

@@ -29,6 +29,8 @@ extern const Rule angle_in_radians{
                   "Angle in radians: '{0}' converts the angle of '{1}', and the function takes degrees.",
                   "Leave the factors out."},
                  {"result", "Angle converted twice: '{0}' makes degrees of '{1}', which is in degrees.",
+                  "Leave the factors out."},
+                 {"passed", "Angle in radians: '{0}' is passed in radians, and {2} takes degrees in '{1}'.",
                   "Leave the factors out."}},
     .bad = {{"fanuc", R"nc(
 O9707(BULGE, I J F)
@@ -42,6 +44,13 @@ M99
 O9707(SLOPE, A X)
 #30=#1*3.1416/180.
 G1 X#24 Y[#24*TAN[#30]] F100.
+M99
+)nc"},
+            {"fanuc", R"nc(
+O9707(EDGE, X Y)
+#10=ATAN[#25]/[#24]
+IF[#10GT180]THEN #10=#10-360
+G1 X[#24*COS[#10*57.2958]] F100.
 M99
 )nc"}},
     .good = {{"fanuc", R"nc(
@@ -65,9 +74,15 @@ void check(const ProgramAnalysis& analysis, Reporter& reporter) {
     for (const RadianUse& use : find_radians(analysis)) {
         if (!said.insert(use.conversion).second) continue;
         const Span span = program.expressions[use.conversion].span;
-        reporter.report({analysis, use.effect, use.conversion}, span,
-                        use.fault == RadianFault::argument ? "argument" : "result",
-                        {quoted(program, span), quoted(program, program.expressions[use.angle].span)});
+        const Program& other = use.called == nullptr ? program : use.called->program();
+        const Span angle = other.expressions[use.angle].span;
+        Finding& finding = reporter.report({analysis, use.effect, use.conversion}, span,
+                                           use.fault == RadianFault::argument ? "argument"
+                                           : use.fault == RadianFault::result ? "result"
+                                                                              : "passed",
+                                           {quoted(program, span), quoted(other, angle), other.name});
+        if (use.called != nullptr)
+            finding.related.push_back({use.called->source(), angle, "the function takes degrees here"});
     }
 }
 

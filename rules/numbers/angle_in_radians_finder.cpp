@@ -3,6 +3,7 @@
 
 #include "analyzer/dataflow/facts/read.hpp"
 #include "analyzer/dataflow/facts/store.hpp"
+#include "analyzer/queries/calls/callers.hpp"
 #include "analyzer/queries/values/calculations.hpp"
 #include "analyzer/queries/values/copies.hpp"
 
@@ -11,6 +12,7 @@
 #include <optional>
 #include <unordered_map>
 #include <variant>
+#include <vector>
 
 namespace maclint::rules {
 namespace {
@@ -22,6 +24,27 @@ bool is_arc(Operation operation) {
 
 bool is_trigonometric(Operation operation) {
     return operation == Operation::sine || operation == Operation::cosine || operation == Operation::tangent;
+}
+
+bool is_scaling(const Apply* apply) {
+    return apply != nullptr &&
+           (apply->operation == Operation::multiply || apply->operation == Operation::divide);
+}
+
+/// The function SIN, COS or TAN to which the program gives the argument as it was passed.
+std::optional<ExpressionId> function_of_argument(const ProgramAnalysis& analysis, Variable formal) {
+    const Program& program = analysis.program();
+    for (const dataflow::Store& store : analysis.facts().all<dataflow::Store>()) {
+        const bool is_default = std::holds_alternative<Literal>(program.expressions[store.expression].node);
+        if (store.variable == formal && !is_default) return std::nullopt;
+    }
+    for (ExpressionId id = 0; id < program.expressions.size(); ++id) {
+        const auto* apply = std::get_if<Apply>(&program.expressions[id].node);
+        if (apply == nullptr || !is_trigonometric(apply->operation)) continue;
+        const auto* load = std::get_if<Load>(&program.expressions[program.operands_of(*apply).front()].node);
+        if (load != nullptr && load->variable == formal) return id;
+    }
+    return std::nullopt;
 }
 
 bool is_near(double number, double wanted, double nearness) { return std::abs(number - wanted) < nearness; }
@@ -77,8 +100,30 @@ class RadianConversions {
     }
     /// An assignment that makes degrees of what ASIN, ACOS or ATAN has given in degrees.
     void look_at_store(const dataflow::Store& store, std::vector<RadianUse>& found) const {
-        if (const auto angle = degrees_in(store))
+        if (const auto angle = degrees_in(store.expression, store.effect))
             found.push_back({RadianFault::result, store.effect, store.expression, *angle});
+    }
+    /// The same in a word, in the argument of a function or in a part of a calculation.
+    void look_at_product(ExpressionId product, std::vector<RadianUse>& found) const {
+        const auto angle = degrees_in(product, std::nullopt);
+        const dataflow::Read* read = angle ? read_of(*angle) : nullptr;
+        if (read != nullptr) found.push_back({RadianFault::result, read->effect, product, *angle});
+    }
+    /// A call that passes radians where the program counts in degrees.
+    void look_at_call(const CallSite& site, std::vector<RadianUse>& found) const {
+        for (const Argument& argument : program_.arguments_of(queries::call_of(program_, site.effect))) {
+            const auto* formal = std::get_if<Variable>(&argument.given);
+            const Factors factors = factors_of(argument.value);
+            const bool is_angle =
+                factors.make_radians() && std::ranges::any_of(factors.others, [&](ExpressionId other) {
+                    return read_of(other) != nullptr;
+                });
+            const ProgramAnalysis* called =
+                formal != nullptr && is_angle ? queries::called_program(analysis_, site) : nullptr;
+            const auto function = called == nullptr ? std::nullopt : function_of_argument(*called, *formal);
+            if (function)
+                found.push_back({RadianFault::passed, site.effect, argument.value, *function, called});
+        }
     }
 
   private:
@@ -96,8 +141,7 @@ class RadianConversions {
         const auto number = read == nullptr ? std::nullopt : read->value.constant();
         if (number && factors.take(*number, below)) return;
         const auto* apply = std::get_if<Apply>(&program_.expressions[id].node);
-        if (apply == nullptr ||
-            (apply->operation != Operation::multiply && apply->operation != Operation::divide)) {
+        if (!is_scaling(apply)) {
             factors.others.push_back(id);
             return;
         }
@@ -105,18 +149,32 @@ class RadianConversions {
         collect(operands[0], below, factors);
         collect(operands[1], below != (apply->operation == Operation::divide), factors);
     }
-    [[nodiscard]] std::optional<ExpressionId> degrees_in(const dataflow::Store& store) const {
-        const Factors factors = factors_of(store.expression);
+    /// The angle in degrees of which the product makes them once more; `store`: that it is the value of.
+    [[nodiscard]] std::optional<ExpressionId> degrees_in(ExpressionId product,
+                                                         std::optional<EffectId> store) const {
+        const Factors factors = factors_of(product);
         if (!factors.make_degrees()) return std::nullopt;
         const auto found = std::ranges::find_if(factors.others, [&](ExpressionId id) {
             if (const auto* apply = std::get_if<Apply>(&program_.expressions[id].node))
                 return is_arc(apply->operation);
             const dataflow::Read* read = read_of(id);
-            const auto operation =
-                read == nullptr ? std::nullopt : queries::operation_of(analysis_, read->value);
-            return operation && is_arc(*operation);
+            if (read == nullptr) return false;
+            const auto operation = queries::operation_of(analysis_, read->value);
+            return (operation && is_arc(*operation)) || is_only_set_to_angles(read->variable, store);
         });
         return found == factors.others.end() ? std::nullopt : std::optional(*found);
+    }
+    /// `#10=ATAN[#1]/[#2]`, `IF[#10GT180]THEN#10=#10-360`: whichever ran, the angle is in degrees.
+    [[nodiscard]] bool is_only_set_to_angles(Variable variable, std::optional<EffectId> but_for) const {
+        bool is_angle = false;
+        for (const dataflow::Store& store : analysis_.facts().all<dataflow::Store>()) {
+            if (store.variable != variable || store.effect == but_for) continue;
+            const auto* apply = std::get_if<Apply>(&program_.expressions[store.expression].node);
+            const bool is_from_arc = apply != nullptr && is_arc(apply->operation);
+            if (!is_from_arc && !store.step) return false;
+            is_angle |= is_from_arc;
+        }
+        return is_angle;
     }
     [[nodiscard]] const dataflow::Read* read_of(ExpressionId id) const {
         const auto read = reads_.find(id);
@@ -137,6 +195,22 @@ bool holds_factor(const Program& program) {
     });
 }
 
+/// The products and quotients that are neither a part of another one nor the value of an assignment.
+std::vector<ExpressionId> products_in_calculations(const ProgramAnalysis& analysis) {
+    const Program& program = analysis.program();
+    std::vector<bool> is_told(program.expressions.size(), false);
+    for (const dataflow::Store& store : analysis.facts().all<dataflow::Store>())
+        is_told[store.expression] = true;
+    for (const Expression& expression : program.expressions)
+        if (const auto* apply = std::get_if<Apply>(&expression.node); is_scaling(apply))
+            for (const ExpressionId operand : program.operands_of(*apply)) is_told[operand] = true;
+    std::vector<ExpressionId> products;
+    for (ExpressionId id = 0; id < program.expressions.size(); ++id)
+        if (!is_told[id] && is_scaling(std::get_if<Apply>(&program.expressions[id].node)))
+            products.push_back(id);
+    return products;
+}
+
 } // namespace
 
 std::vector<RadianUse> find_radians(const ProgramAnalysis& analysis) {
@@ -151,6 +225,9 @@ std::vector<RadianUse> find_radians(const ProgramAnalysis& analysis) {
         if (apply != nullptr && is_trigonometric(apply->operation))
             search.look_at_argument(program.operands_of(*apply).front(), found);
     }
+    for (const ExpressionId product : products_in_calculations(analysis))
+        search.look_at_product(product, found);
+    for (const CallSite& site : analysis.calls()) search.look_at_call(site, found);
     return found;
 }
 

@@ -4,6 +4,8 @@
 #include "analyzer/dataflow/facts/comparison.hpp"
 #include "analyzer/dialect/ascii.hpp"
 #include "analyzer/queries/conditions/conditions.hpp"
+#include "analyzer/queries/values/calculations.hpp"
+#include "analyzer/queries/values/copies.hpp"
 #include "analyzer/queries/values/origins.hpp"
 
 #include <algorithm>
@@ -51,20 +53,25 @@ std::optional<Variable> variable_of_side(const Program& program, ExpressionId si
     return load == nullptr ? std::nullopt : std::optional(load->variable);
 }
 
-/// 1-#1*#1/900, which is never below 0 but by its last digit, is asked for LT0 in front of SQRT.
-bool is_rounding_away(const dataflow::Comparison& comparison) {
+/// 1-#1*#1/900, which is never below 0 but by its last digit, is asked for LT0 in front of SQRT. An amount is
+/// not below 0 by any digit.
+bool is_rounding_away(const ProgramAnalysis& analysis, const dataflow::Comparison& comparison) {
     const dataflow::Value& left = comparison.left;
     const dataflow::Value& right = comparison.right;
     const bool rounded =
         left.exactness == dataflow::Exactness::rounded || right.exactness == dataflow::Exactness::rounded;
-    return rounded && (left.low == right.high || left.high == right.low);
+    const auto may_reach = [&](const dataflow::Value& low, const dataflow::Value& high) {
+        return low.low == high.high &&
+               !(low.low == 0 && queries::operation_of(analysis, low) == Operation::absolute);
+    };
+    return rounded && (may_reach(left, right) || may_reach(right, left));
 }
 
 Sides sides_of(const ProgramAnalysis& analysis, const dataflow::Condition& condition) {
     Sides sides;
     for (const auto& comparison : analysis.facts().at<dataflow::Comparison>(condition.effect)) {
         sides.open &= comparison.truth.can_hold && comparison.truth.can_fail;
-        sides.near |= is_rounding_away(comparison);
+        sides.near |= is_rounding_away(analysis, comparison);
         const auto left = variable_of_side(analysis.program(), comparison.left_expression);
         sides.same |= comparison.left_expression != comparison.right_expression && left &&
                       left == variable_of_side(analysis.program(), comparison.right_expression);
@@ -107,8 +114,23 @@ bool DeliberateConditions::may_be_meant(const dataflow::Condition& condition,
     if (exemptions::jump_to_same_place.is_on() && repeats_another(condition)) return true;
     if (exemptions::same_block_guarded_again.is_on() && does_what_another_does(condition)) return true;
     if (asks_for_settings && settings_.is_read(condition.effect)) return true;
+    if (!guard && asks_for_a_count(condition)) return false;
     // What is left over after all other cases were tested may be tested once more.
     return asks_of_vacant || (exemptions::last_case_tested.is_on() && condition.truth.can_hold);
+}
+
+/// What has just been counted is always the same number where the jump leads back in front of its first one.
+/// Where a number stands twice, that is why the jump leads there.
+bool DeliberateConditions::asks_for_a_count(const dataflow::Condition& condition) const {
+    const auto& labels = analysis_.graph().labels;
+    const bool stands_twice =
+        std::ranges::adjacent_find(labels, {}, &flow::LabelledBlock::label) != labels.end();
+    return !stands_twice &&
+           std::ranges::any_of(analysis_.facts().at<dataflow::Read>(condition.effect),
+                               [&](const dataflow::Read& read) {
+                                   const dataflow::Store* store = queries::store_of(analysis_, read.value);
+                                   return store != nullptr && store->step && read.value.constant();
+                               });
 }
 
 /// An earlier test sends to the same place: the second is not needed, but does no harm.

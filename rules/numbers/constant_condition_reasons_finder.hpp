@@ -37,6 +37,7 @@ class DeliberateConditions {
                                     const std::optional<queries::GuardBefore>& guard) const;
 
   private:
+    [[nodiscard]] bool asks_for_a_count(const dataflow::Condition& condition) const;
     [[nodiscard]] bool repeats_another(const dataflow::Condition& condition) const;
     [[nodiscard]] bool leaves_nothing_to_run(const dataflow::Condition& condition) const;
     [[nodiscard]] bool does_what_another_does(const dataflow::Condition& condition) const;

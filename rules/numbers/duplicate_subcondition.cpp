@@ -4,6 +4,8 @@
 #include "rules/path.hpp"
 #include "rules/rule.hpp"
 
+#include <variant>
+
 namespace maclint::rules {
 
 namespace {
@@ -24,7 +26,9 @@ extern const Rule duplicate_subcondition{
           "Ask for the variable or the number that was meant, or remove one of the two."},
          {"case",
           "Same test twice: '{0}' on line {1} asks the same, and what it sets ({2}) is replaced here.",
-          "Ask for the case that was meant."}},
+          "Ask for the case that was meant."},
+         {"copy", "Same block twice: '{0}' on line {1} asks the same and sets the same ({2}).",
+          "Ask for the case that was meant, or remove one of the two."}},
     .bad = {{"fanuc", R"nc(
 O9719(ROUND, D DIAMETER R RADIUS)
 IF[[#7EQ#0]OR[#7EQ#0]]GOTO9
@@ -69,6 +73,14 @@ END
 
 namespace {
 
+/// Whether what the second IF does is written as what the first one sets.
+bool sets_the_same(const Program& program, EffectId first, EffectId second) {
+    const auto* guarded = std::get_if<Guarded>(&program.effects[second].what);
+    return guarded != nullptr && guarded->effects.count == 1 &&
+           program.slice(program.effects[guarded->effects.first].span) ==
+               program.slice(program.effects[first].span);
+}
+
 void check(const ProgramAnalysis& analysis, Reporter& reporter) {
     const Program& program = analysis.program();
     for (const queries::RepeatedTest& test : queries::find_repeated_tests(analysis)) {
@@ -79,8 +91,13 @@ void check(const ProgramAnalysis& analysis, Reporter& reporter) {
             words.push_back(line_number(analysis.file(), first.begin));
             words.push_back(quoted(program, program.effects[*test.lost].span));
         }
+        const bool is_copy = test.lost && sets_the_same(program, *test.lost, test.effect);
         Finding& finding = reporter.report({analysis, test.effect, test.second}, second,
-                                           test.lost ? "case" : "part", std::move(words));
+                                           is_copy     ? "copy"
+                                           : test.lost ? "case"
+                                                       : "part",
+                                           std::move(words));
+        if (is_copy) finding.severity = Severity::note;
         finding.related.push_back({analysis.source(), first, "the same test"});
     }
 }

@@ -37,13 +37,22 @@ extern const Rule not_on_this_control{
                   "Correct the letter, or add it to \"axes\" of the control."},
                  {"unsure", "Unlisted: no list of what this control has holds '{0}'.", "{1}."},
                  {"macro-a",
-                  "Macro A in a program of macro B: '{0}' is a calculation of macro A, and a call here.",
+                  "Macro A in a program of macro B: '{0}' is a statement of macro A, and a call here.",
                   "{1}."}},
     .bad = {{"fanuc", R"nc(
 O9124(ONCE)
 IF[#500]GOTO9
 #500=1
 N9 M99
+)nc"},
+            {"fanuc", R"nc(
+O0124(GAUGE EVERY 25)
+#530=#530+1
+G65 H81 P50 Q#530 R25
+M99
+N50 #530=0
+M0
+M99
 )nc"}},
     .good = {{"fanuc", R"nc(
 O9124(ONCE)

@@ -5,7 +5,11 @@
 #include "rules/path.hpp"
 #include "rules/rule.hpp"
 #include "rules/timing/skip_not_checked_finder.hpp"
+#include "rules/timing/skip_not_checked_twins_finder.hpp"
 #include "rules/trace.hpp"
+
+#include <algorithm>
+#include <vector>
 
 namespace maclint::rules {
 
@@ -17,7 +21,8 @@ extern const Rule skip_not_checked{
     .code = "MAC607",
     .name = "skip-not-checked",
     .summary =
-        "An offset is made of the position where a probe should have touched, without a test whether it did",
+        "An offset is made of the position where a probe should have touched, without a test whether it did, "
+        "or of two touches only one is tested",
     .why =
         "Where no signal comes, G31 runs to its end, and the position is that end. With the part missing or "
         "the probe switched off the offset is wrong by the rest of the way, and the next tool follows it.",
@@ -29,7 +34,12 @@ extern const Rule skip_not_checked{
         {{"unchecked",
           "Touch not checked: '{0}' may run to its end without a signal, and '{1}' makes an offset of "
           "the position in '{2}' all the same.",
-          "Compare the position with the end of the move, and raise an alarm where they are the same."}},
+          "Compare the position with the end of the move, and raise an alarm where they are the same."},
+         {"twin",
+          "Touch not checked: '{0}' may run to its end without a signal; '{1}' takes its position as '{2}' "
+          "does "
+          "behind a move whose end is asked for.",
+          "Ask for it here, too."}},
     .bad = {{"fanuc", R"nc(
 O9607(SET X0)
 G91 G31 X30. F80.
@@ -93,13 +103,24 @@ namespace {
 
 void check(const ProgramAnalysis& analysis, Reporter& reporter) {
     const Program& program = analysis.program();
+    std::vector<flow::NodeId> told;
     for (const UncheckedTouch& touch : find_unchecked_touches(analysis)) {
+        told.push_back(touch.move);
         const Span use = program.effects[touch.use].span;
         Finding& finding = reporter.report(
             {analysis, touch.move_span}, touch.move_span, "unchecked",
             {quoted(program, touch.move_span), quoted(program, use), quoted(program, touch.read)});
         trace(finding, analysis, touch.move, {analysis.source(), touch.move_span, "no signal may come here"},
               touch.used_in, "when the offset is made");
+    }
+    for (const UncheckedTwin& twin : find_unchecked_twins(analysis)) {
+        if (std::ranges::find(told, twin.move) != told.end()) continue;
+        const Span checked = program.effects[twin.checked].span;
+        reporter
+            .report({analysis, twin.move_span}, twin.move_span, "twin",
+                    {quoted(program, twin.move_span), quoted(program, program.effects[twin.store].span),
+                     quoted(program, checked)})
+            .related.push_back({analysis.source(), checked, "this one is checked"});
     }
 }
 

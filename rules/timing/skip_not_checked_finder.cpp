@@ -7,6 +7,7 @@
 #include "analyzer/program/machine_words.hpp"
 #include "analyzer/program/tables.hpp"
 #include "analyzer/queries/machine/changing_values.hpp"
+#include "analyzer/queries/machine/skip_moves.hpp"
 #include "analyzer/queries/machine/unfinished_moves.hpp"
 #include "analyzer/queries/values/offsets.hpp"
 
@@ -36,7 +37,7 @@ class TouchesOfProgram {
             const auto* words = std::get_if<EvaluateWords>(&effect.what);
             if (words == nullptr) continue;
             const auto node = graph_.node_of(id);
-            if (!node || !has_code(*node, letters_.settings)) continue;
+            if (!node || !queries::block_with_code(analysis_, *node, letters_.settings)) continue;
             for (const ExpressionId value : program_.values_of(*words)) look_at(id, value);
         }
         std::vector<UncheckedTouch> found;
@@ -46,30 +47,9 @@ class TouchesOfProgram {
     }
 
   private:
-    /// Whether a block of the node holds a G code of the list.
-    [[nodiscard]] bool has_code(flow::NodeId node, std::span<const double> codes) const {
-        return code_in(node, codes).has_value();
-    }
-    /// The block of the node that holds one.
-    [[nodiscard]] std::optional<Span> code_in(flow::NodeId node, std::span<const double> codes) const {
-        std::optional<Span> found;
-        for_each_block_with_words(program_, graph_.nodes[node].stretch(),
-                                  [&](const BlockView& block, std::span<const Word> words) {
-                                      if (std::ranges::any_of(words, [&](const Word& word) {
-                                              const auto* number = std::get_if<Literal>(&word.value);
-                                              return word.address == "G" && number != nullptr &&
-                                                     std::ranges::find(codes, number->value) != codes.end();
-                                          }))
-                                          found = block.span;
-                                  });
-        return found;
-    }
-
-    /// Whether what stands in the node may have asked for the signal, or is not known.
+    /// Whether what stands in the node may have asked for the signal, or is not known. Conditions do not: see
+    /// compares_what_changes.
     [[nodiscard]] bool may_ask(flow::NodeId node) const {
-        if (std::ranges::any_of(graph_.out[node],
-                                [&](flow::EdgeId id) { return graph_.edges[id].condition.has_value(); }))
-            return true;
         if (std::ranges::any_of(program_.effects_in(graph_.nodes[node].effects), [](const Effect& effect) {
                 return std::holds_alternative<Call>(effect.what) ||
                        std::holds_alternative<UnreadableBlock>(effect.what) ||
@@ -86,18 +66,6 @@ class TouchesOfProgram {
         return switches;
     }
 
-    [[nodiscard]] bool moves(flow::NodeId node) const {
-        if (std::ranges::any_of(program_.effects_in(graph_.nodes[node].effects), [](const Effect& effect) {
-                return std::holds_alternative<Motion>(effect.what);
-            }))
-            return true;
-        bool found = false;
-        for_each_block_with_words(
-            program_, graph_.nodes[node].stretch(),
-            [&](const BlockView& block, std::span<const Word>) { found |= block.moves; });
-        return found;
-    }
-
     /// The nearest move that a signal ends, where the node stands behind one on every path and nothing
     /// between asks, or moves where that matters.
     [[nodiscard]] std::optional<flow::NodeId> touch_before(flow::NodeId node, bool may_move) const {
@@ -106,11 +74,11 @@ class TouchesOfProgram {
         flow::walk<flow::Direction::backward>(graph_, {node}, [&](flow::EdgeId edge, flow::NodeId from) {
             if (open || !analysis_.data().passable(edge) || !analysis_.data().reached(from))
                 return flow::Step::refuse;
-            if (has_code(from, letters_.skips)) {
+            if (queries::block_with_code(analysis_, from, letters_.skips)) {
                 if (!found) found = from;
                 return flow::Step::end;
             }
-            open |= from == 0 || may_ask(from) || (!may_move && moves(from));
+            open |= from == 0 || may_ask(from) || (!may_move && queries::has_move(analysis_, from));
             return open ? flow::Step::end : flow::Step::go_on;
         });
         return open ? std::nullopt : found;
@@ -123,7 +91,7 @@ class TouchesOfProgram {
              positions_in(analysis_, use, value, Positions::when_touched)) {
             const auto move = touch_before(*node, true);
             if (!move || touch_before(read.node, read.is_kept) != move) continue;
-            const auto span = code_in(*move, letters_.skips);
+            const auto span = queries::block_with_code(analysis_, *move, letters_.skips);
             found_.try_emplace(
                 *move, UncheckedTouch{*move, *span, use, *node, program_.expressions[read.expression].span});
         }

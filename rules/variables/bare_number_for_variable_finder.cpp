@@ -4,8 +4,10 @@
 #include "analyzer/program/block_view.hpp"
 #include "analyzer/program/indices.hpp"
 #include "analyzer/program/tables.hpp"
+#include "analyzer/semantics/concrete.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <map>
@@ -108,6 +110,24 @@ std::set<std::int64_t> numbers_in_vain(const Program& program) {
     return numbers;
 }
 
+/// The numbers of arguments that the program compares, or asks for being there, and does nothing else with.
+std::set<std::int64_t> numbers_only_asked(const Program& program) {
+    std::set<ExpressionId> asked = vacancy_tests(program);
+    std::set<std::int64_t> numbers;
+    for (const Expression& expression : program.expressions) {
+        const auto* test = std::get_if<Apply>(&expression.node);
+        if (test != nullptr && semantics::is_comparison(test->operation))
+            for (const ExpressionId operand : program.operands_of(*test)) asked.insert(operand);
+    }
+    for (const ExpressionId id : asked)
+        if (const auto* load = std::get_if<Load>(&program.expressions[id].node))
+            if (program.is_formal(load->variable)) numbers.insert(load->variable.number);
+    for (ExpressionId id = 0; id < program.expressions.size(); ++id)
+        if (const auto* load = std::get_if<Load>(&program.expressions[id].node); load && !asked.contains(id))
+            numbers.erase(load->variable.number);
+    return numbers;
+}
+
 /// Marks the expression and its operands.
 void mark(const Program& program, ExpressionId id, std::vector<bool>& marked) {
     marked[id] = true;
@@ -165,22 +185,63 @@ void find_own_numbers(const Program& program, std::vector<BareNumber>& found) {
     }
 }
 
-/// `#30=517*2` where the program sets #517, and nothing in it reads that.
+/// `#30=517*2` where the program sets #517, and nothing in it reads that; `S[3800/19]` where it only checks
+/// #19, and no variable stands in the calculation.
 void find_in_calculations(const Program& program, const std::set<std::int64_t>& in_vain,
                           std::vector<BareNumber>& found) {
-    if (in_vain.empty()) return;
+    const std::set<std::int64_t> only_asked = numbers_only_asked(program);
+    if (in_vain.empty() && only_asked.empty()) return;
     const std::vector<bool> is_index = indexes(program);
     for (ExpressionId id = 0; id < program.expressions.size(); ++id) {
         const auto* apply = std::get_if<Apply>(&program.expressions[id].node);
         if (apply == nullptr || is_index[id] || !is_basic_arithmetic(apply->operation)) continue;
-        for (const ExpressionId operand : program.operands_of(*apply)) {
+        const auto operands = program.operands_of(*apply);
+        const bool of_numbers = std::ranges::all_of(operands, [&](ExpressionId operand) {
+            return std::holds_alternative<Literal>(program.expressions[operand].node);
+        });
+        for (const ExpressionId operand : operands) {
             const auto number = number_of_a_variable(program, operand);
             const Span span = program.expressions[operand].span;
-            if (number && in_vain.contains(*number) && is_like_a_variable(program, *number) &&
-                !program.slice(span).starts_with('['))
+            if (number && (in_vain.contains(*number) || (of_numbers && only_asked.contains(*number))) &&
+                is_like_a_variable(program, *number) && !program.slice(span).starts_with('['))
                 found.push_back({*number, span, {}, true});
         }
     }
+}
+
+/// Where the program first reads the variable of that number.
+std::optional<Span> first_read(const Program& program, std::int64_t number) {
+    for (const Expression& expression : program.expressions)
+        if (const auto* load = std::get_if<Load>(&expression.node);
+            load != nullptr && load->variable.number == number)
+            return expression.span;
+    return std::nullopt;
+}
+
+/// The numbers of the common variables that the program sets.
+std::set<std::int64_t> common_numbers_set(const Program& program) {
+    constexpr std::int32_t first_common = 100;
+    std::set<std::int64_t> numbers;
+    for (const Effect& effect : program.effects)
+        if (const auto* assign = std::get_if<Assign>(&effect.what))
+            if (const auto* target = std::get_if<Variable>(&assign->target))
+                if (target->number >= first_common) numbers.insert(target->number);
+    return numbers;
+}
+
+bool reads(const Program& program, ExpressionId id, std::int64_t number) {
+    const Expression& expression = program.expressions[id];
+    if (const auto* load = std::get_if<Load>(&expression.node)) return load->variable.number == number;
+    const auto* apply = std::get_if<Apply>(&expression.node);
+    return apply != nullptr && std::ranges::any_of(program.operands_of(*apply), [&](ExpressionId operand) {
+               return reads(program, operand, number);
+           });
+}
+
+bool calculates_with(const Program& program, const Word& word, std::int64_t number) {
+    const auto* id = std::get_if<ExpressionId>(&word.value);
+    return id != nullptr && std::holds_alternative<Apply>(program.expressions[*id].node) &&
+           reads(program, *id, number);
 }
 
 /// The sum or difference that the value of the word is.
@@ -215,6 +276,75 @@ void find_in_sums(const Program& program, std::vector<BareNumber>& found) {
                 const auto number = number_of_a_variable(program, operand);
                 if (number && is_argument_of_letter(program, word, *number))
                     found.push_back({*number, program.expressions[operand].span, sibling->span});
+            }
+        }
+    }
+}
+
+/// Whether the expression is made of numbers alone, and calculated.
+bool is_of_numbers(const Program& program, const Apply& apply) {
+    return is_basic_arithmetic(apply.operation) &&
+           std::ranges::all_of(program.operands_of(apply), [&](ExpressionId operand) {
+               return std::holds_alternative<Literal>(program.expressions[operand].node);
+           });
+}
+
+/// `Q[17/2]` where the program reads #17, which Q passes: nobody has two numbers calculated. Of a small
+/// number a word of the letter must take the variable as it is: `F#9`.
+void find_in_words_of_numbers(const Program& program, const VariableWords& siblings,
+                              std::vector<BareNumber>& found) {
+    for (const Word& word : program.words) {
+        const auto* id = std::get_if<ExpressionId>(&word.value);
+        const auto* apply = id == nullptr ? nullptr : std::get_if<Apply>(&program.expressions[*id].node);
+        if (apply == nullptr || !is_of_numbers(program, *apply)) continue;
+        for (const ExpressionId operand : program.operands_of(*apply)) {
+            const auto number = number_of_a_variable(program, operand);
+            if (!number || !is_argument_of_letter(program, word, *number)) continue;
+            const auto sibling = siblings.find({word.address, *number});
+            const auto read =
+                is_like_a_variable(program, *number) ? first_read(program, *number) : std::nullopt;
+            const Span span = program.expressions[operand].span;
+            if (sibling != siblings.end())
+                found.push_back({*number, span, sibling->second});
+            else if (read)
+                found.push_back({*number, span, *read});
+        }
+    }
+}
+
+/// The numbers that a calculation holds.
+void collect_numbers(const Program& program, ExpressionId id, std::vector<ExpressionId>& numbers) {
+    const auto* apply = std::get_if<Apply>(&program.expressions[id].node);
+    if (apply == nullptr || !is_basic_arithmetic(apply->operation)) return;
+    for (const ExpressionId operand : program.operands_of(*apply))
+        if (number_of_a_variable(program, operand))
+            numbers.push_back(operand);
+        else
+            collect_numbers(program, operand, numbers);
+}
+
+/// `X[#101*#4] Y[102+#5]`, where the program sets #101 and #102.
+void find_beside_next_number(const Program& program, std::vector<BareNumber>& found) {
+    const std::set<std::int64_t> set = common_numbers_set(program);
+    if (set.size() < 2) return;
+    for (ItemId item = 0; item < program.items.size(); ++item) {
+        const auto block = stored_block(program, item);
+        if (!block) continue;
+        for (const Word& word : block->words) {
+            const auto* value = std::get_if<ExpressionId>(&word.value);
+            std::vector<ExpressionId> numbers;
+            if (value != nullptr) collect_numbers(program, *value, numbers);
+            for (const ExpressionId literal : numbers) {
+                const std::int64_t number = *number_of_a_variable(program, literal);
+                if (!set.contains(number) || !is_like_a_variable(program, number)) continue;
+                const auto sibling = std::ranges::find_if(block->words, [&](const Word& other) {
+                    return other.address != word.address &&
+                           std::ranges::any_of(std::array{number - 1, number + 1}, [&](std::int64_t next) {
+                               return set.contains(next) && calculates_with(program, other, next);
+                           });
+                });
+                if (sibling != block->words.end())
+                    found.push_back({number, program.expressions[literal].span, sibling->span});
             }
         }
     }
@@ -277,8 +407,13 @@ std::vector<BareNumber> find_bare_numbers(const Program& program) {
     find_in_arguments(program, in_vain, found);
     find_own_numbers(program, found);
     find_in_sums(program, found);
+    find_in_words_of_numbers(program, siblings, found);
+    find_beside_next_number(program, found);
     find_words(program, siblings, found);
-    std::ranges::sort(found, {}, [](const BareNumber& bare) { return bare.span.begin; });
+    const auto begin = [](const BareNumber& bare) { return bare.span.begin; };
+    std::ranges::stable_sort(found, {}, begin);
+    const auto repeated = std::ranges::unique(found, {}, begin);
+    found.erase(repeated.begin(), repeated.end());
     return found;
 }
 

@@ -27,9 +27,11 @@ struct BareNumber {
 /// Numbers alone in brackets, where the program names the variable of that number; and words whose number has
 /// no point while those of all others do, where a word of the same letter takes that variable; and numbers in
 /// calculations and arguments, where the program sets the variable of that number, or asks whether it was
-/// passed, and nothing reads it; where a statement sets the variable to a sum of numbers (`#101=101+1`); or
-/// where the word's letter passes it and another word of the block adds to its own (`X[24+#1] Y[#25+#2]`). In
-/// text order.
+/// passed, and nothing reads it; where a statement sets the variable to a sum of numbers (`#101=101+1`);
+/// where the word's letter passes it and another word of the block adds to its own (`X[24+#1] Y[#25+#2]`), or
+/// nothing but numbers are calculated (`Q[17/2]`); or where another word of the block takes the variable
+/// beside it in number, and the program sets that one, too (`X[#101*#4] Y[102+#5]`). In text order, each
+/// place once.
 [[nodiscard]] std::vector<BareNumber> find_bare_numbers(const Program& program);
 
 } // namespace maclint::rules

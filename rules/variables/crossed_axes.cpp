@@ -42,7 +42,11 @@ extern const Rule crossed_axes{
           "keeps the same for {1}.",
           "Take {5}."},
          {"case", "Another work offset: {0} belongs to {1}, and '{2}' stands in the case for {3}.",
-          "Take {4}, as the other cases take their own."}},
+          "Take {4}, as the other cases take their own."},
+         {"store-of-case",
+          "Variable of another case: '{0}' sets {1}, as line {2} does in its case; the statements beside it set "
+          "those of their own.",
+          "Take {3}."}},
     .bad = {{"fanuc", R"nc(
 O9215(POINT FROM WHERE THE TOOL IS)
 #24=#5001+#24

@@ -2,6 +2,7 @@
 #include "rules/variables/mistaken_axes.hpp"
 
 #include "rules/path.hpp"
+#include "rules/variables/crossed_axes_rows_finder.hpp"
 #include "rules/variables/crossed_axes_siblings_finder.hpp"
 #include "rules/variables/crossed_axes_words_finder.hpp"
 
@@ -36,11 +37,24 @@ void report_words(const ProgramAnalysis& analysis, Reporter& reporter) {
     }
 }
 
+void report_rows(const ProgramAnalysis& analysis, Reporter& reporter) {
+    const Program& program = analysis.program();
+    for (const StoreOfAnotherCase& found : find_stores_of_other_cases(analysis)) {
+        const Span span = program.effects[found.effect].span;
+        const Span sibling = program.effects[found.sibling].span;
+        Finding& finding = reporter.report(
+            {analysis, found.effect}, span, "store-of-case",
+            {quoted(program, span), found.own, line_number(analysis.file(), sibling.begin), found.meant});
+        finding.related.push_back(related_at_effect(analysis, found.sibling, "the other case sets it here"));
+    }
+}
+
 } // namespace
 
 void report_mistaken_axes(const ProgramAnalysis& analysis, Reporter& reporter) {
     report_siblings(analysis, reporter);
     report_words(analysis, reporter);
+    report_rows(analysis, reporter);
 }
 
 } // namespace maclint::rules

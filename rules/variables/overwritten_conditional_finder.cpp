@@ -5,6 +5,7 @@
 #include "analyzer/execution/path_search.hpp"
 #include "analyzer/queries/conditions/conditions.hpp"
 #include "analyzer/queries/machine/changing_values.hpp"
+#include "analyzer/semantics/concrete.hpp"
 
 #include <algorithm>
 #include <array>
@@ -47,6 +48,7 @@ class CoveredCases {
             if (const dataflow::Store* later = store_in(decision->if_true, store.variable)) {
                 // A block that stands there twice loses nothing.
                 if (queries::same_expression(program_, store.expression, later->expression) ||
+                    holds_by_a_setting(*node, *condition, decision->condition) ||
                     !is_always_made(store.node, *decision))
                     return std::nullopt;
                 return CoveredCase{&store, *condition, later, decision->condition};
@@ -78,6 +80,27 @@ class CoveredCases {
         const flow::Edge& two = graph_.edges[out[1]];
         if (!one.condition || one.condition != two.condition || one.holds == two.holds) return std::nullopt;
         return Decision{*one.condition, (one.holds ? one : two).to, (one.holds ? two : one).to};
+    }
+
+    /// Whether the second condition follows from the first only by the number that the text sets what they
+    /// ask for to: `#1=70.`, `IF[#1GT30.]`, `IF[#1GT60.]`. Who edits it has the other case.
+    [[nodiscard]] bool holds_by_a_setting(flow::NodeId node, ExpressionId first, ExpressionId second) const {
+        const auto reads = analysis_.facts().in<dataflow::Read>(node);
+        if (std::ranges::none_of(
+                reads, [](const dataflow::Read& read) { return read.value.constant().has_value(); }))
+            return false;
+        const auto* a = std::get_if<Apply>(&program_.expressions[first].node);
+        const auto* b = std::get_if<Apply>(&program_.expressions[second].node);
+        if (a == nullptr || b == nullptr || a->operation != b->operation ||
+            !semantics::is_order(a->operation))
+            return false;
+        const auto of_a = program_.operands_of(*a), of_b = program_.operands_of(*b);
+        const auto* limit_a = std::get_if<Literal>(&program_.expressions[of_a[1]].node);
+        const auto* limit_b = std::get_if<Literal>(&program_.expressions[of_b[1]].node);
+        if (limit_a == nullptr || limit_b == nullptr || !queries::same_expression(program_, of_a[0], of_b[0]))
+            return false;
+        const bool upwards = a->operation == Operation::greater || a->operation == Operation::greater_equal;
+        return upwards ? limit_a->value < limit_b->value : limit_a->value > limit_b->value;
     }
 
     [[nodiscard]] const dataflow::Store* store_in(flow::NodeId node, Variable variable) const {

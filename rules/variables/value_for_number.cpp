@@ -23,16 +23,17 @@ extern const Rule value_for_number{
     .severity = Severity::warning,
     .precision = Precision::high,
     .needs = {Capability::vacancy},
-    .messages = {{"value", "Value for a number: '{0}' adds what {1} holds, and picks a variable by that.",
-                  "Write {2} without its #."},
-                 {"number",
-                  "Number for a value: '#{0}' is the variable whose number is {1} less {2}, and no length.",
-                  "Write the difference of {3} and {2}, the # inside of the bracket."},
-                 {"stored",
-                  "Number for a value: {0} holds the number of a variable, and is added up as a length.",
-                  "Write #[{1}], or #[…] around the sum that picks the variable."},
-                 {"compared", "Numbers for values: '{0}' compares two numbers of variables, always alike.",
-                  "Compare what the variables hold, #[…] on both sides."}},
+    .messages =
+        {{"value", "Value for a number: '{0}' adds what {1} holds, and picks a variable by that.",
+          "Write {2} without its #."},
+         {"number", "Number for a value: '#{0}' is the variable whose number is {1} less {2}, and no length.",
+          "Write the difference of {3} and {2}, the # inside of the bracket."},
+         {"stored", "Number for a value: {0} holds the number of a variable, and is added up as a length.",
+          "Write #[{1}], or #[…] around the sum that picks the variable."},
+         {"limit", "Number for a value: '{0}' compares {1}, which holds the number of a variable, with {2}.",
+          "Compare what that variable holds, #[{1}]."},
+         {"compared", "Numbers for values: '{0}' compares two numbers of variables, always alike.",
+          "Compare what the variables hold, #[…] on both sides."}},
     .bad = {{"fanuc", R"nc(
 O9233(LENGTH OF TOOL D)
 IF[#7LT1]GOTO9
@@ -74,6 +75,12 @@ void check(const ProgramAnalysis& analysis, Reporter& reporter) {
     for (const ExpressionId id : find_numbers_compared(program)) {
         const Span span = program.expressions[id].span;
         reporter.report({analysis, span}, span, "compared", {quoted(program, span)});
+    }
+    for (const NumberAgainstLimit& found : find_numbers_against_limits(program)) {
+        const Span span = program.expressions[found.comparison].span;
+        reporter.report({analysis, span}, span, "limit",
+                        {quoted(program, span), quoted(program, program.expressions[found.number].span),
+                         quoted(program, program.expressions[found.limit].span)});
     }
     for (const ExpressionId id : find_numbers_stored(program)) {
         const Span span = program.expressions[id].span;

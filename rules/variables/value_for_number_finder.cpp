@@ -1,6 +1,7 @@
 //! Looks into the indices of a program.
 #include "rules/variables/value_for_number_finder.hpp"
 
+#include "analyzer/dataflow/domain/read_set.hpp"
 #include "analyzer/program/indices.hpp"
 #include "analyzer/program/tables.hpp"
 #include "analyzer/program/whole_number.hpp"
@@ -131,6 +132,17 @@ bool holds_a_number_only(const Program& program, Variable variable) {
     return sums == 1;
 }
 
+/// Whether the other stands in what the program stores in the variable.
+bool is_made_of(const Program& program, Variable variable, Variable other) {
+    return std::ranges::any_of(program.effects, [&](const Effect& effect) {
+        const auto* assign = std::get_if<Assign>(&effect.what);
+        const auto* target = assign == nullptr ? nullptr : std::get_if<Variable>(&assign->target);
+        if (target == nullptr || !(*target == variable)) return false;
+        const auto read = dataflow::variables_of(program, assign->value).variables;
+        return std::ranges::find(read, other) != read.end();
+    });
+}
+
 /// The variable in the sum; nothing where it has none of the wanted.
 template<class Wanted>
 std::optional<ExpressionId> summand_of(const Program& program, ExpressionId id, const Wanted& wanted) {
@@ -159,6 +171,28 @@ std::vector<ExpressionId> find_numbers_stored(const Program& program) {
             is_number(assign->value)) // a list of numbers
             continue;
         if (const auto number = summand_of(program, assign->value, is_number)) found.push_back(*number);
+    }
+    return found;
+}
+
+std::vector<NumberAgainstLimit> find_numbers_against_limits(const Program& program) {
+    std::vector<NumberAgainstLimit> found;
+    const auto indexes = variables_of_indexes(program);
+    if (indexes.empty()) return found;
+    const auto is_index = [&](Variable variable) {
+        return indexes.contains({variable.space, variable.number});
+    };
+    for (ExpressionId id = 0; id < program.expressions.size(); ++id) {
+        const auto* apply = std::get_if<Apply>(&program.expressions[id].node);
+        if (apply == nullptr || !semantics::is_order(apply->operation)) continue;
+        const auto operands = program.operands_of(*apply);
+        const auto* number = std::get_if<Load>(&program.expressions[operands[0]].node);
+        const auto* limit = std::get_if<Load>(&program.expressions[operands[1]].node);
+        if (number != nullptr && limit != nullptr && is_index(number->variable) &&
+            !is_index(limit->variable) && program.is_formal(limit->variable) &&
+            holds_a_number_only(program, number->variable) &&
+            !is_made_of(program, number->variable, limit->variable))
+            found.push_back({id, operands[0], operands[1]});
     }
     return found;
 }

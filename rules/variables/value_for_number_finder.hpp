@@ -34,6 +34,16 @@ struct NumberForValue {
 /// counts it, and one is an index elsewhere. In the order of the expressions.
 [[nodiscard]] std::vector<ExpressionId> find_numbers_compared(const Program& program);
 
+/// `IF[#1LT#11]` with #1=600+#20, which is an index elsewhere: the number of a variable against an argument.
+struct NumberAgainstLimit {
+    ExpressionId comparison;
+    ExpressionId number; ///< #1
+    ExpressionId limit;  ///< #11
+};
+
+/// Such comparisons by less or more, of numbers that nothing counts. In the order of the expressions.
+[[nodiscard]] std::vector<NumberAgainstLimit> find_numbers_against_limits(const Program& program);
+
 /// Variables that hold nothing but the number of a variable, in a sum that a variable chosen by its number
 /// gets:
 /// `#10=5221+20*#1`, `#[#11]=#10+#24`, where another block says #[#10]. In text order.

@@ -151,7 +151,7 @@ TEST(M98, StartsWhereQSays) {
 
 TEST(MacroA, IsACalculationThatMacroBTakesForACall) {
     EXPECT_THAT(messages_raised("MAC124", "O1\nG65 H02 P#102 Q100.0 R0\n#103=#102+10.\nG0 X#103\nM30\n"),
-                ElementsAre(HasSubstr("'G65 H02 P#102 Q100.0 R0' is a calculation of macro A")));
+                ElementsAre(HasSubstr("'G65 H02 P#102 Q100.0 R0' is a statement of macro A")));
     EXPECT_THAT(judged("MAC124", "O1\nG65 H02 P#102 Q100.0 R0\nG0 X#102\nM30\n"), IsEmpty())
         << "nothing shows macro B";
     EXPECT_THAT(judged("MAC124", "O1\n#102=9001\nG65 P#102 H2. Q100. R0\nM30\n"), IsEmpty());

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <limits>
 #include <utility>
 #include <variant>
 
@@ -77,14 +78,14 @@ IndexReach IndexReaches::of(FamilyId family, ExpressionId index, const semantics
     if (custom.shared_points_to_shared && sum.shared && sum.terms > 1) reach.locals = false;
     if (reach.locals && std::isfinite(custom.least_base))
         reach.locals = std::ranges::none_of(sum.variables, [&](Variable variable) {
-            return sum.number + base_of(variable, node) >= custom.least_base;
+            return sum.number + base_of(variable, index, node) >= custom.least_base;
         });
     return reach;
 }
 
-double IndexReaches::base_of(Variable variable, flow::NodeId node) {
+double IndexReaches::base_of(Variable variable, ExpressionId index, flow::NodeId node) {
     if (!bases_) collect_bases();
-    if (program_.is_formal(variable) && may_be_passed(variable, node)) return 0;
+    if (program_.is_formal(variable) && may_be_passed(variable, index, node)) return 0;
     const auto found = std::ranges::lower_bound(*bases_, key(variable), {},
                                                 [](const Base& base) { return key(base.variable); });
     return found == bases_->end() || !(found->variable == variable) ? 0 : found->number;
@@ -109,28 +110,29 @@ void IndexReaches::collect_bases() {
     bases_ = std::move(all);
 }
 
-bool IndexReaches::may_be_passed(Variable variable, flow::NodeId node) {
+bool IndexReaches::may_be_passed(Variable variable, ExpressionId index, flow::NodeId node) {
     if (node >= graph_.nodes.size()) return true; // nobody has looked where the control goes
     const auto [known, fresh] = passed_.try_emplace(variable);
     std::vector<bool>& passed = known->second;
     if (fresh) {
-        const auto sets = [&](flow::NodeId at) {
-            return std::ranges::any_of(
-                program_.effects_in(graph_.nodes[at].effects), [&](const Effect& effect) {
-                    const auto* assign = std::get_if<Assign>(&effect.what);
-                    const auto* target = assign == nullptr ? nullptr : std::get_if<Variable>(&assign->target);
-                    return target != nullptr && *target == variable;
-                });
-        };
+        constexpr Offset anywhere = std::numeric_limits<Offset>::max();
         passed.assign(graph_.nodes.size(), false);
         passed[0] = true;
-        if (!sets(0))
+        if (!sets(0, variable, anywhere))
             flow::walk<flow::Direction::forward>(graph_, {0}, [&](flow::EdgeId, flow::NodeId to) {
                 passed[to] = true;
-                return sets(to) ? flow::Step::end : flow::Step::go_on;
+                return sets(to, variable, anywhere) ? flow::Step::end : flow::Step::go_on;
             });
     }
-    return passed[node];
+    return passed[node] && !sets(node, variable, program_.expressions[index].span.begin);
+}
+
+bool IndexReaches::sets(flow::NodeId node, Variable variable, Offset before) const {
+    return std::ranges::any_of(program_.effects_in(graph_.nodes[node].effects), [&](const Effect& effect) {
+        const auto* assign = std::get_if<Assign>(&effect.what);
+        const auto* target = assign == nullptr ? nullptr : std::get_if<Variable>(&assign->target);
+        return target != nullptr && *target == variable && effect.span.end <= before;
+    });
 }
 
 } // namespace maclint::dataflow

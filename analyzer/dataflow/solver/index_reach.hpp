@@ -38,10 +38,12 @@ class IndexReaches {
     };
 
     void collect_bases();
-    /// The least number that the variable has in an index there; 0: nothing is known.
-    [[nodiscard]] double base_of(Variable variable, flow::NodeId node);
+    /// The least number that the variable has in the index, which stands in the node; 0: nothing is known.
+    [[nodiscard]] double base_of(Variable variable, ExpressionId index, flow::NodeId node);
     /// Whether a path leads there on which the variable still has what a call has passed.
-    [[nodiscard]] bool may_be_passed(Variable variable, flow::NodeId node);
+    [[nodiscard]] bool may_be_passed(Variable variable, ExpressionId index, flow::NodeId node);
+    /// Whether the node stores into the variable, in front of the place.
+    [[nodiscard]] bool sets(flow::NodeId node, Variable variable, Offset before) const;
 
     const Program& program_;
     const flow::Graph& graph_;

@@ -470,7 +470,8 @@ std::optional<SyntaxError> ErrorExplainer::bare_remark() const {
         sign = {block_.begin, block_.begin + 1};
     else if (first + 1 < tokens_.size() && text(tokens_[first]) == "/" && text(tokens_[first + 1]) == "/")
         sign = join(tokens_[first].span, tokens_[first + 1].span);
-    if (sign.empty() || !is_prose()) return std::nullopt;
+    const bool has_brackets = tokens_[first].kind == TokenKind::comment; // and others in it
+    if (sign.empty() || has_brackets || !is_prose()) return std::nullopt;
     return make(SyntaxErrorKind::bare_remark, {sign.begin, block_.end},
                 text_.substr(sign.begin, block_.end - sign.begin),
                 "'" + std::string(text_.substr(sign.begin, sign.length())) + "'");

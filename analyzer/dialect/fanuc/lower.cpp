@@ -138,6 +138,10 @@ void BlockLowering::lower_items(std::span<const Node* const> items) {
             lower_block_condition(*items[i], items.subspan(i + 1));
             return;
         }
+        if (next < items.size() && is_jump_for_do(*items[i], *items[next])) {
+            lower_while(*items[i], items[next]);
+            return;
+        }
         if (!is_word(kind)) {
             lower_statement(*items[i++]);
             continue;
@@ -152,7 +156,7 @@ void BlockLowering::lower_statement(const Node& node) {
     case Kind::assignment: lower_assignment(node); break;
     case Kind::goto_statement: lower_goto(node); break;
     case Kind::if_statement: lower_if(node); break;
-    case Kind::while_statement: lower_while(node); break;
+    case Kind::while_statement: lower_while(node, nullptr); break;
     case Kind::do_statement: lower_loop_mark(node, RegionMark::Part::open); break;
     case Kind::end_statement: lower_loop_mark(node, RegionMark::Part::close); break;
     case Kind::output_statement: lower_output(node); break;
@@ -328,15 +332,27 @@ void BlockLowering::report_stray_condition(const Node& condition) {
         report(SyntaxErrorKind::unreadable, span(condition), "an address or IF before it");
 }
 
-void BlockLowering::lower_while(const Node& node) {
+/// `WHILE[#1GT2]GOTO3`: the number of the jump is likely that of the loop.
+bool BlockLowering::is_jump_for_do(const Node& first, const Node& second) const {
+    return kind_of(first) == Kind::while_statement && child(first, Field::loop) == nullptr &&
+           kind_of(second) == Kind::goto_statement;
+}
+
+void BlockLowering::lower_while(const Node& node, const Node* jump_for_do) {
     const Node* condition = child(node, Field::condition);
     const Node* loop = child(node, Field::loop);
     RegionMark mark{RegionKind::while_loop, RegionMark::Part::open, std::nullopt, std::nullopt};
     if (condition != nullptr) mark.condition = lower_condition(*condition, faults::while_form);
-    if (loop != nullptr)
+    if (loop != nullptr) {
         mark.number = loop_number(*loop);
-    else
-        report(SyntaxErrorKind::loop_without_do, span(node), "DO");
+    } else {
+        const Node* target = jump_for_do == nullptr ? nullptr : child(*jump_for_do, Field::target);
+        const bool names_loop = target != nullptr && kind_of(*target) == Kind::number;
+        if (names_loop) mark.number = read_integer(text(*target));
+        std::string cure = names_loop ? "DO" + std::string(text(*target)) : "DO";
+        if (jump_for_do != nullptr) cure += " in place of '" + std::string(text(*jump_for_do)) + "'";
+        report(SyntaxErrorKind::loop_without_do, span(node), cure);
+    }
     effect({mark, span(node)});
 }
 

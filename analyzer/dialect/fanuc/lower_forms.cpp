@@ -75,6 +75,8 @@ void BlockLowering::check_row(std::span<const Node* const> items) {
     const Span rest = join(span(*second), span(*items.back()));
     if (kind_of(*first) == Kind::goto_statement)
         refuse(SyntaxErrorKind::words_after_jump, rest, "");
+    else if (is_jump_for_do(*first, *second))
+        return; // its DO is missing
     else if (first_is_statement && kind_of(*second) == Kind::goto_statement)
         refuse(SyntaxErrorKind::jump_beside_statement, rest, "");
     else if (first_is_statement && is_statement(kind_of(*second)))
@@ -225,22 +227,37 @@ void BlockLowering::check_function(std::string_view name, std::size_t operands, 
 }
 
 /// `G65 H02 P#102 Q100.0 R0`: H, the code of an operation, comes first, P is the variable for its result, and
-/// Q and R are what it works on.
-bool BlockLowering::is_macro_a(std::span<const NcWord> words) const {
-    struct Range {
+/// Q and R are what it works on. `G65 H81 P50 Q#530 R25`: P is the number of a block, or of an alarm. A call
+/// of macro B has P first, as a rule, and a program of more figures.
+std::optional<Extra> BlockLowering::macro_a_of(std::span<const NcWord> words) const {
+    struct Operations {
         double first, last;
+        std::size_t fewest, most; ///< words
+        bool of_variable;         ///< P is one
+        Extra extra;
     };
-    static constexpr Range operations[] = {{1, 5}, {11, 13}, {21, 28}, {31, 34}}; // T
+    static constexpr Operations rows[] = {
+        {1, 5, 4, 5, true, Extra::macro_a},         {11, 13, 4, 5, true, Extra::macro_a},
+        {21, 28, 4, 5, true, Extra::macro_a},       {31, 34, 4, 5, true, Extra::macro_a},
+        {80, 80, 3, 3, false, Extra::macro_a_jump}, {81, 86, 5, 5, false, Extra::macro_a_test},
+        {99, 99, 3, 3, false, Extra::macro_a_alarm}}; // T
     constexpr std::string_view letters = "GHPQR";
-    constexpr std::size_t fewest = 4;
-    if (words.size() < fewest || words.size() > letters.size()) return false;
+    constexpr std::size_t fewest = 3;
+    constexpr double first_long_number = 1000;
+    if (words.size() < fewest || words.size() > letters.size()) return std::nullopt;
     for (std::size_t i = 0; i < words.size(); ++i)
-        if (words[i].letter != letters[i] || words[i].comma || !words[i].value) return false;
-    const std::optional<double> code = words[1].literal;
-    return code && !words[2].literal && std::holds_alternative<Load>(expression(*words[2].value).node) &&
-           text(*words[1].node).find('.') == std::string_view::npos &&
-           std::ranges::any_of(
-               operations, [&](const Range& range) { return *code >= range.first && *code <= range.last; });
+        if (words[i].letter != letters[i] || words[i].comma || !words[i].value) return std::nullopt;
+    const NcWord& code = words[1];
+    const NcWord& place = words[2];
+    if (!code.literal || text(*code.node).find('.') != std::string_view::npos) return std::nullopt;
+    const auto row = std::ranges::find_if(rows, [&](const Operations& candidate) {
+        return *code.literal >= candidate.first && *code.literal <= candidate.last;
+    });
+    if (row == std::end(rows) || words.size() < row->fewest || words.size() > row->most) return std::nullopt;
+    const bool fits = row->of_variable
+                          ? !place.literal && std::holds_alternative<Load>(expression(*place.value).node)
+                          : place.literal && *place.literal < first_long_number;
+    return fits ? std::optional(row->extra) : std::nullopt;
 }
 
 } // namespace maclint::fanuc

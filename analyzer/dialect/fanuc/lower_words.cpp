@@ -122,7 +122,7 @@ void BlockLowering::lower_macro_call(std::span<const NcWord> words, Span span) {
     }
     call.arguments = arguments_from(words.subspan(1));
     if (std::holds_alternative<std::monostate>(call.program)) report_missing_program(code, words);
-    if (is_macro_a(words)) check_lacking(Extra::macro_a, span, program_->slice(span));
+    if (const auto extra = macro_a_of(words)) check_lacking(*extra, span, program_->slice(span));
     effect({call, span});
 }
 

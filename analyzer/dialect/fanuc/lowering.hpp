@@ -47,7 +47,8 @@ class BlockLowering : private TreeLowering {
     void lower_assignment(const Node& node);
     void lower_goto(const Node& node);
     void lower_if(const Node& node);
-    void lower_while(const Node& node);
+    void lower_while(const Node& node, const Node* jump_for_do);
+    [[nodiscard]] bool is_jump_for_do(const Node& first, const Node& second) const;
     void lower_loop_mark(const Node& node, RegionMark::Part part);
     [[nodiscard]] std::optional<std::int64_t> loop_number(const Node& mark) const;
     void open_block_if(const Node& node, ExpressionId test);
@@ -150,7 +151,7 @@ class BlockLowering : private TreeLowering {
     void check_sign(const Node& operand);
     void check_comparison(const Node& comparison);
     void check_increment(Span address);
-    [[nodiscard]] bool is_macro_a(std::span<const NcWord> words) const;
+    [[nodiscard]] std::optional<Extra> macro_a_of(std::span<const NcWord> words) const;
     void check_lacking(Extra extra, Span span, std::string_view subject);
     void check_function(std::string_view name, std::size_t operands, bool has_divisor, Span span);
 

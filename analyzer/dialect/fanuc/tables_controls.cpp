@@ -119,6 +119,7 @@ ControlModel make(const ControlRow& row, char system) {
             {{{spaces::local, first}, {spaces::local, first + 1}, {spaces::local, first + 2}}});
     control.vacant_equals_zero = false;
     control.calculator_input = row.whole_lengths;
+    control.numbering_arguments = "DHSTM"; // [MAN-PB278]
     control.options = options_of(row.model);
     control.idle = idle_values(control.groups);
     control.machine_words = &machine_words(system);

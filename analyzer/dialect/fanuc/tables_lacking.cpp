@@ -29,6 +29,9 @@ constexpr Lacking rows[] = {
     {Extra::named_variable,   haas,      lacking::name,      false, "",     "Use its number",                             "T"},
     {Extra::bare_condition,   all_fanuc, lacking::condition, true,  "haas", "Compare, as in [#1 NE 0]",                   "SEED-001:375-415; SINHA-EXP; Haas: HAAS-118, all expressions set a conditional value"},
     {Extra::macro_a,          all_fanuc, lacking::macro_a,   false, "",     "Write it as in #102=100.0+0",                "T: macro B reads it as a call of the program whose number #102 holds"},
+    {Extra::macro_a_jump,     all_fanuc, lacking::macro_a,   false, "",     "Write it as in GOTO50",                      "T: H80 of macro A; macro B calls the program of the number"},
+    {Extra::macro_a_test,     all_fanuc, lacking::macro_a,   false, "",     "Write it as in IF[#530EQ25]GOTO50",          "T: H81 to H86 of macro A; macro B calls the program of the number"},
+    {Extra::macro_a_alarm,    all_fanuc, lacking::macro_a,   false, "",     "Write it as in #3000=5(TEXT)",               "T: H99 of macro A; macro B calls the program of the number"},
 };
 // clang-format on
 

@@ -19,6 +19,9 @@ enum class Extra : std::uint8_t {
     named_variable,   ///< [#_ABSIO[1]]
     bare_condition,   ///< IF[#1]
     macro_a,          ///< G65 H02 P#102 Q100 R0
+    macro_a_jump,     ///< G65 H80 P50
+    macro_a_test,     ///< G65 H81 P50 Q#530 R25
+    macro_a_alarm,    ///< G65 H99 P5
 };
 
 /// What is said of a control that lacks it.

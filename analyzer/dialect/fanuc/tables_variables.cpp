@@ -21,6 +21,10 @@ constexpr IndexCustom index_custom{
 
 constexpr GroupId modal_groups = 22; ///< #4001-#4022
 
+/// Of each hundred of modal values the groups take 30 numbers at most, and the letters as many.
+constexpr std::string_view gap_of_modal =
+    "T: SEED-001:1340-1367 ends with #4022 and #4130; the 30i has 30 groups, a Haas 26 letters";
+
 /// #4001-#4022 and their twins in other hundreds: one row a group. Group 12 is G66 on some controls and
 /// G54-G59 on others (Haas, and programs in the wild); where it is not the work offset, nothing is known of
 /// its value.
@@ -49,6 +53,20 @@ constexpr VariableRange by_axes(VariableRange range) {
     return range;
 }
 
+/// A range of positions, by axes, where the last block has ended.
+constexpr VariableRange of_block_end(VariableRange range) {
+    range = by_axes(range);
+    range.is_block_end = true;
+    return range;
+}
+
+/// A range of positions, by axes, that count from the machine's own zero.
+constexpr VariableRange of_machine(VariableRange range) {
+    range = by_axes(range);
+    range.counts_from_machine = true;
+    return range;
+}
+
 /// A row of work offsets, the first of them that of the code.
 constexpr VariableRange offsets_from(double code, VariableRange range) {
     range = by_axes(range);
@@ -61,12 +79,13 @@ constexpr VariableRange offsets_from(double code, VariableRange range) {
 constexpr std::string_view listed_letters = "T: the list of SEED-001:1358-1367 is whole; #4108 is E of the 30i";
 constexpr VariableRange of_named_fanuc[] = {
     //  first    last  meaning   space              group on write   by itself what                      source
+    {    3103,   3900, absent,   spaces::machine,   0,    forbidden, false, "no variable",               "T: of #3xxx the lists have #3000 to #3102 and #3901 and up; tool data there are of a Haas"},
     {    4103,   4106, absent,   spaces::machine,   0,    forbidden, false, "no variable",               listed_letters},
     {    4110,   4110, absent,   spaces::machine,   0,    forbidden, false, "no variable",               listed_letters},
     {    4112,   4112, absent,   spaces::machine,   0,    forbidden, false, "no variable",               listed_letters},
     {    4116,   4118, absent,   spaces::machine,   0,    forbidden, false, "no variable",               listed_letters},
     {    4121,   4129, absent,   spaces::machine,   0,    forbidden, false, "no variable",               listed_letters},
-    {    4131,   4200, absent,   spaces::machine,   0,    forbidden, false, "no variable",               listed_letters},
+    {    5141,   5180, absent,   spaces::machine,   0,    forbidden, false, "no variable",               "T: SEED-001:1373-1378 ends with #5104; the 30i has #5121 to #5140 and #5181 to #5200"},
 };
 constexpr VariableRange of_older_fanuc[] = {
     {    4023,   4030, absent,   spaces::machine,   0,    forbidden, false, "no variable",               "T: SEED-001:1340-1357 has 22 groups, the 30i has 30"},
@@ -185,7 +204,9 @@ VariableFamily numbered_variables(std::span<const ModalGroup> groups, std::optio
     add({ 3903,   3999,  machine, here,             0,            store,     true,  "machine value",                           "unknown", false, false, true});
     add({ 4000,   4000,  machine, here,             0,            forbidden, false, "main program number",                     "TENC-SYS"});
     append_modal(ranges, 4001, "modal G code up to the previous block", group_twelve);
-    add({ 4023,   4106,  machine, here,             0,            forbidden, false, "modal value",                             "SEED-001:1358; T"});
+    add({ 4023,   4030,  machine, here,             0,            forbidden, false, "modal value",                             "T: groups of the 30i"});
+    add({ 4031,   4100,  absent,  here,             0,            forbidden, false, "no variable",                             gap_of_modal});
+    add({ 4101,   4106,  machine, here,             0,            forbidden, false, "modal value",                             "SEED-001:1358; T"});
     add({ 4107,   4107,  machine, here,             0,            forbidden, false, "offset number D",                         "SEED-001:1359; T: three digits", false, false, false, 999});
     add({ 4108,   4108,  machine, here,             0,            forbidden, false, "modal value",                             "T"});
     add({ 4109,   4109,  modal,   here,             feed,         forbidden, false, "feed F",                                  "SEED-001:1360"});
@@ -197,24 +218,29 @@ VariableFamily numbered_variables(std::span<const ModalGroup> groups, std::optio
     add({ 4116,   4118,  machine, here,             0,            forbidden, false, "modal value",                             "T"});
     add({ 4119,   4119,  modal,   here,             speed,        forbidden, false, "spindle speed S",                         "SEED-001:1365"});
     add({ 4120,   4120,  machine, here,             0,            forbidden, false, "tool number T",                           "SEED-001:1366; T: eight digits at most", false, false, false, 99999999});
-    add({ 4121,   4200,  machine, here,             0,            forbidden, false, "modal value",                             "SEED-001:1367"});
+    add({ 4121,   4130,  machine, here,             0,            forbidden, false, "modal value",                             "SEED-001:1367"});
+    add({ 4131,   4200,  absent,  here,             0,            forbidden, false, "no variable",                             gap_of_modal});
     append_modal(ranges, 4201, "modal G code of the block being executed", group_twelve);
-    add({ 4223,   4308,  machine, here,             0,            forbidden, false, "modal value",                             "T; MITSU-331"});
+    add({ 4223,   4230,  machine, here,             0,            forbidden, false, "modal value",                             "T; MITSU-331"});
+    add({ 4231,   4300,  absent,  here,             0,            forbidden, false, "no variable",                             gap_of_modal});
+    add({ 4301,   4308,  machine, here,             0,            forbidden, false, "modal value",                             "T; MITSU-331"});
     add({ 4309,   4309,  modal,   here,             feed,         forbidden, false, "feed F of the block being executed",      "T; MITSU-331"});
     add({ 4310,   4318,  machine, here,             0,            forbidden, false, "modal value",                             "T; MITSU-331"});
     add({ 4319,   4319,  modal,   here,             speed,        forbidden, false, "speed S of the block being executed",     "T; MITSU-331"});
-    add({ 4320,   4400,  machine, here,             0,            forbidden, false, "modal value",                             "T; MITSU-331"});
+    add({ 4320,   4330,  machine, here,             0,            forbidden, false, "modal value",                             "T; MITSU-331"});
+    add({ 4331,   4400,  absent,  here,             0,            forbidden, false, "no variable",                             gap_of_modal});
     append_modal(ranges, 4401, "modal G code of the interrupted program", group_twelve);
     add({ 4423,   4430,  machine, here,             0,            forbidden, false, "modal G code of the interrupted program", "MITSU-389; T", false, true});
-    add({ 4431,   4508,  machine, here,             0,            forbidden, false, "modal value",                             "MITSU-389; T"});
+    add({ 4431,   4500,  absent,  here,             0,            forbidden, false, "no variable",                             gap_of_modal});
+    add({ 4501,   4508,  machine, here,             0,            forbidden, false, "modal value",                             "MITSU-389; T"});
     add({ 4509,   4509,  modal,   here,             feed,         forbidden, false, "feed F of the interrupted program",       "MITSU-389; T"});
     add({ 4510,   4518,  machine, here,             0,            forbidden, false, "modal value",                             "MITSU-389; T"});
     add({ 4519,   4519,  modal,   here,             speed,        forbidden, false, "speed S of the interrupted program",      "MITSU-389; T"});
     add({ 4520,   4530,  machine, here,             0,            forbidden, false, "modal value",                             "T"});
     add({ 4531,   4999,  absent,  here,             0,            forbidden, false, "no variable",                             "T: the lists of SEED-001:1337-1367 and MITSU-389 end before it"});
     add({ 5000,   5000,  machine, here,             0,            forbidden, true,  "block end position",                      "SEED-001:1373"});
-    add(by_axes({5001, 5020, machine, here,         0,            forbidden, true,  "block end position",                      "SEED-001:1373"}));
-    add(by_axes({5021, 5040, machine, here,         0,            forbidden, true,  "machine position",                        "SEED-001:1374; MAN-AINANO", false, false, false, {}, axes}));
+    add(of_block_end({5001, 5020, machine, here,    0,            forbidden, true,  "block end position",                      "SEED-001:1373"}));
+    add(of_machine({5021, 5040, machine, here,      0,            forbidden, true,  "machine position",                        "SEED-001:1374; MAN-AINANO", false, false, false, {}, axes}));
     add(by_axes({5041, 5060, machine, here,         0,            forbidden, true,  "work position",                           "SEED-001:1375; MAN-AINANO", false, false, false, {}, axes}));
     add(by_axes({5061, 5080, machine, here,         0,            forbidden, true,  "skip position",                           "SEED-001:1376; NCT-183", false, false, false, {}, {}, true}));
     add(by_axes({5081, 5100, machine, here,         0,            forbidden, true,  "tool length offset in effect",            "SEED-001:1377; NCT-183"}));

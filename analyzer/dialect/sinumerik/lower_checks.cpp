@@ -10,6 +10,7 @@
 #include "analyzer/program/faults.hpp"
 
 #include <algorithm>
+#include <array>
 #include <utility>
 
 namespace maclint::sinumerik {
@@ -188,9 +189,21 @@ void BlockLowering::file_wide_colon(const Node& label) {
     report_with(SyntaxErrorKind::wide_sign, colon, ":", {"Write ':'", true, {{colon, ":"}}});
 }
 
+/// Whether ( ) are arguments that stand in a wrong place: those of a declaration or a modal call, and
+/// numbers.
+bool BlockLowering::are_arguments(Span parentheses) const {
+    constexpr std::array takers = {"PROC ", "EXTERN ", "MCALL "};
+    const std::size_t line = program_->text.rfind('\n', parentheses.begin) + 1; // 0 in the first line
+    const std::string before = in_capitals(program_->slice({static_cast<Offset>(line), parentheses.begin}));
+    return std::ranges::none_of(program_->slice(parentheses), is_letter) ||
+           std::ranges::any_of(takers,
+                               [&](const char* word) { return before.find(word) != std::string::npos; });
+}
+
 /// `(text)` at the end of a block.
 void BlockLowering::report_parentheses(const Node& remark) {
     const Span here = span(remark);
+    if (are_arguments(here)) return report_expected(here, "( ) right behind the name that they belong to");
     bool last = true;
     for (auto next = remark.next_sibling; next != syntax::no_node; next = tree_->nodes[next].next_sibling)
         last &= is_remark(tree_->nodes[next]);

@@ -168,6 +168,7 @@ class BlockLowering : private TreeLowering {
     void check_types(const FunctionRow& function, const Node& list);
     void check_alarm_number(const Node& arguments);
     void report_expected(Span here, std::string_view expected);
+    [[nodiscard]] bool are_arguments(Span parentheses) const;
     void report_with(SyntaxErrorKind kind, Span here, std::string cure, Remedy remedy);
 
     // ---- names, types and sizes (lower_names.cpp)

@@ -25,8 +25,6 @@ using dataflow::Read;
 constexpr std::size_t most_calls = 16;      ///< with numbers that are followed into one program
 constexpr std::size_t most_looked_at = 256; ///< calls of one program
 constexpr std::size_t most_nodes = 1000;    ///< of a program that is run again for a call
-/// Letters of arguments that are numbers of something, with a decimal point or without [MAN-PB278].
-constexpr std::string_view whole_letters = "DHSTM";
 
 bool is_certain(const ProgramAnalysis& calling, EffectId effect, const KnownVariable& known) {
     if (!is_as_written(*known.number)) return false;
@@ -42,25 +40,50 @@ bool is_certain(const ProgramAnalysis& calling, EffectId effect, const KnownVari
            is_number_as_written(calling.control(), passed->address, literal->value, literal->decimal_point);
 }
 
-std::optional<double> number_of(const Program& program, std::span<const Read> reads, ExpressionId id) {
-    const auto& node = program.expressions[id].node;
-    if (const auto* literal = std::get_if<Literal>(&node)) return literal->value;
-    if (std::holds_alternative<Load>(node)) {
+/// What expressions are in a program that is begun so. Functions whose last digit no manual tells are taken
+/// for exact: who asks allows for that.
+class Numbers {
+  public:
+    Numbers(const Program& program, const dataflow::Analysis& begun)
+        : program_(program)
+        , begun_(begun) {}
+
+    /// Of an expression that the effect evaluates; at most `left` assignments are followed back.
+    [[nodiscard]] std::optional<double> of(EffectId effect, ExpressionId id,
+                                           int left = most_assignments) const {
+        const auto& node = program_.expressions[id].node;
+        if (const auto* literal = std::get_if<Literal>(&node)) return literal->value;
+        if (std::holds_alternative<Load>(node)) return of_variable(effect, id, left);
+        const auto* apply = std::get_if<Apply>(&node);
+        if (apply == nullptr) return std::nullopt;
+        std::vector<double> operands;
+        for (const ExpressionId operand : program_.operands_of(*apply)) {
+            const auto number = of(effect, operand, left);
+            if (!number) return std::nullopt;
+            operands.push_back(*number);
+        }
+        const semantics::Result result = semantics::compute(apply->operation, operands);
+        const auto* number = std::get_if<double>(&result);
+        return number == nullptr ? std::nullopt : std::optional(*number);
+    }
+
+  private:
+    static constexpr int most_assignments = 8; ///< one made of another
+
+    [[nodiscard]] std::optional<double> of_variable(EffectId effect, ExpressionId id, int left) const {
+        const auto reads = begun_.facts().at<Read>(effect);
         const auto read = std::ranges::find(reads, id, &Read::expression);
-        return read == reads.end() ? std::nullopt : read->value.constant();
+        if (read == reads.end()) return std::nullopt;
+        if (const auto number = read->value.constant()) return number;
+        const dataflow::Origin origin = begun_.table().origins[read->value.origin];
+        if (left == 0 || origin.kind != dataflow::Origin::Kind::effect) return std::nullopt;
+        const auto* made = std::get_if<Assign>(&program_.effects[origin.id].what);
+        return made == nullptr ? std::nullopt : of(origin.id, made->value, left - 1);
     }
-    const auto* apply = std::get_if<Apply>(&node);
-    if (apply == nullptr) return std::nullopt;
-    std::vector<double> operands;
-    for (const ExpressionId operand : program.operands_of(*apply)) {
-        const auto number = number_of(program, reads, operand);
-        if (!number) return std::nullopt;
-        operands.push_back(*number);
-    }
-    const semantics::Result result = semantics::compute(apply->operation, operands);
-    const auto* number = std::get_if<double>(&result);
-    return number == nullptr ? std::nullopt : std::optional(*number);
-}
+
+    const Program& program_;
+    const dataflow::Analysis& begun_;
+};
 
 /// Whether a path that comes by none of the nodes leaves the program other than by an alarm.
 bool may_leave_around(const flow::Graph& graph, const dataflow::Analysis& begun,
@@ -96,14 +119,14 @@ std::optional<KnownStart> certain_numbers(const ProgramAnalysis& calling, const 
 bool is_number_as_written(const ControlModel& control, std::string_view address, double value,
                           bool decimal_point) {
     return decimal_point || value == 0 || control.calculator_input ||
-           whole_letters.find(address) != std::string_view::npos;
+           control.numbering_arguments.find(address) != std::string_view::npos;
 }
 
 std::vector<NumberedCall> calls_with_numbers(const ProgramAnalysis& analysis) {
     std::vector<NumberedCall> calls;
     if (analysis.graph().nodes.size() > most_nodes) return calls;
     for (ShownCall& shown : shown_calls(analysis))
-        calls.push_back({&analysis, shown.span, true, std::move(shown.start)});
+        calls.push_back({&analysis, shown.span, true, std::move(shown.start), std::nullopt});
     std::size_t looked_at = 0;
     for (const Caller& caller : analysis.callers()) {
         const ProgramAnalysis& calling = calling_program(analysis, caller);
@@ -111,8 +134,8 @@ std::vector<NumberedCall> calls_with_numbers(const ProgramAnalysis& analysis) {
             if (looked_at++ == most_looked_at) return calls;
             auto start = certain_numbers(calling, begun);
             if (!start || std::ranges::find(calls, *start, &NumberedCall::start) != calls.end()) continue;
-            calls.push_back(
-                {&calling, calling.program().effects[begun.effect].span, false, *std::move(start)});
+            calls.push_back({&calling, calling.program().effects[begun.effect].span, false, *std::move(start),
+                             begun.effect});
             if (calls.size() == most_calls) return calls;
         }
     }
@@ -128,11 +151,11 @@ bool always_comes_by(const flow::Graph& graph, const dataflow::Analysis& begun,
 std::unordered_map<ExpressionId, double> numbers_of_words(const Program& program,
                                                           const dataflow::Analysis& begun) {
     std::unordered_map<ExpressionId, double> numbers;
+    const Numbers known(program, begun);
     for (EffectId effect = 0; effect < program.effects.size(); ++effect)
         if (const auto* values = std::get_if<EvaluateWords>(&program.effects[effect].what))
             for (const ExpressionId value : program.values_of(*values))
-                if (const auto number = number_of(program, begun.facts().at<Read>(effect), value))
-                    numbers.emplace(value, *number);
+                if (const auto number = known.of(effect, value)) numbers.emplace(value, *number);
     return numbers;
 }
 

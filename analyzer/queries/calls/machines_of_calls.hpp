@@ -31,7 +31,7 @@ class MachineOfCall {
 };
 
 /// For calls that pass numbers, some of which are words of its blocks, and that always come by a circle or a
-/// canned cycle. The facts CallBegun of the callers tell, and Read.
+/// canned cycle. The facts CallBegun and BeforeNode of the callers tell, and Read.
 void for_each_machine_of_call(const ProgramAnalysis& analysis,
                               const std::function<void(const MachineOfCall&)>& visit);
 

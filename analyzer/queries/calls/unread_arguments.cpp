@@ -33,7 +33,9 @@ bool reads_by_name(const ProgramAnalysis& analysis) {
         const bool is_own = std::ranges::all_of(index, [&](Variable variable) {
             return analysis.control().spaces[variable.space].scope == Scope::frame;
         });
-        return !is_own || reaches.of(load->family, load->index, {}, 0).locals;
+        if (!is_own) return true;
+        const flow::NodeId node = analysis.graph().node_of(expression.span).value_or(0);
+        return reaches.of(load->family, load->index, {}, node).locals;
     };
     bool by_name = std::ranges::none_of(program.expressions, through_index);
     for_each_effect(program, [&](EffectId id) {
@@ -96,8 +98,10 @@ bool passes(const ProgramAnalysis& called, const Caller& caller, Variable variab
     const ProgramAnalysis& calling = calling_program(called, caller);
     const Argument* argument = argument_for(called, caller, variable);
     const CallSite* site = calling.call_at(caller.effect);
-    return argument != nullptr && site != nullptr && !site->in_cycle && calling.asked() &&
-           opens_locals(called, caller) &&
+    // M#0 passes nothing.
+    const auto* value = argument == nullptr ? nullptr : &calling.program().expressions[argument->value].node;
+    return value != nullptr && !std::holds_alternative<Vacant>(*value) && site != nullptr &&
+           !site->in_cycle && calling.asked() && opens_locals(called, caller) &&
            !is_of_a_series(called.control(), variable, calling.program(), *argument);
 }
 

@@ -5,6 +5,7 @@
 #include "analyzer/program/block_view.hpp"
 #include "analyzer/program/tables.hpp"
 #include "analyzer/queries/calls/callers.hpp"
+#include "analyzer/semantics/concrete.hpp"
 #include "analyzer/source/budget.hpp"
 
 #include <algorithm>
@@ -123,17 +124,23 @@ std::optional<ExpressionId> idle_condition(const ProgramAnalysis& analysis, cons
     });
     if (exit == loop.exit_edges.end()) return std::nullopt;
     const ExpressionId condition = *analysis.graph().edges[*exit].condition;
-    const auto* asks = std::get_if<Apply>(&analysis.program().expressions[condition].node);
-    const bool compares =
-        asks != nullptr &&
-        (asks->operation == Operation::less || asks->operation == Operation::less_equal ||
-         asks->operation == Operation::greater || asks->operation == Operation::greater_equal);
     const dataflow::ReadSet set = dataflow::variables_of(analysis.program(), condition);
     const bool stays =
         set.closed && !set.variables.empty() && std::ranges::none_of(set.variables, [&](Variable variable) {
             return loop.changes.may_change(variable);
         });
-    return compares && stays ? std::optional(condition) : std::nullopt;
+    return stays && asks_for_less_or_more(analysis.program(), condition) ? std::optional(condition)
+                                                                         : std::nullopt;
+}
+
+bool is_never_left(const ProgramAnalysis& analysis, const dataflow::Loop& loop) {
+    return std::ranges::none_of(loop.exit_edges,
+                                [&](flow::EdgeId id) { return analysis.data().passable(id); });
+}
+
+bool asks_for_less_or_more(const Program& program, ExpressionId condition) {
+    const auto* asks = std::get_if<Apply>(&program.expressions[condition].node);
+    return asks != nullptr && semantics::is_order(asks->operation);
 }
 
 bool is_loop_condition(const ProgramAnalysis& analysis, const dataflow::Condition& condition) {

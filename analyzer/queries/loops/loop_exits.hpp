@@ -55,6 +55,12 @@ inline constexpr Exemption wait_for_others;
 [[nodiscard]] std::optional<ExpressionId> idle_condition(const ProgramAnalysis& analysis,
                                                          const dataflow::Loop& loop);
 
+/// Whether no path leads out of the loop.
+[[nodiscard]] bool is_never_left(const ProgramAnalysis& analysis, const dataflow::Loop& loop);
+
+/// Whether the condition asks for less or more, as one that counts does.
+[[nodiscard]] bool asks_for_less_or_more(const Program& program, ExpressionId condition);
+
 /// Whether it is the condition of a loop of the text, and not of an IF.
 [[nodiscard]] bool is_loop_condition(const ProgramAnalysis& analysis, const dataflow::Condition& condition);
 

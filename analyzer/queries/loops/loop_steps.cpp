@@ -1,6 +1,9 @@
 //! Compares the sign of a step with the comparisons that end the loop.
 #include "analyzer/queries/loops/loop_steps.hpp"
 
+#include "analyzer/dataflow/domain/arithmetic.hpp"
+#include "analyzer/dataflow/facts/comparison.hpp"
+#include "analyzer/queries/conditions/conditions.hpp"
 #include "analyzer/queries/vacancy/unset_reads.hpp"
 
 #include <algorithm>
@@ -10,10 +13,45 @@
 namespace maclint::queries {
 namespace {
 
+/// Whether the clamp waits for the counter to be beyond the bound, on the side where the loop ends: it never
+/// is while each step leads away. `IF[#32GE#26]GOTO10`, `#32=#26` in a loop that goes on while #32GT#26.
+bool waits_for_the_end(const ProgramAnalysis& analysis, const Counter& counter,
+                       const dataflow::Store& clamp) {
+    const Program& program = analysis.program();
+    const flow::Graph& graph = analysis.graph();
+    const CounterTest& test = counter.tests.front();
+    const auto is_counter = [&](ExpressionId id) {
+        const auto* load = std::get_if<Load>(&program.expressions[id].node);
+        return load != nullptr && load->variable == counter.variable;
+    };
+    return std::ranges::all_of(graph.in[clamp.node], [&](flow::EdgeId id) {
+        const flow::Edge& edge = graph.edges[id];
+        const auto comparisons = analysis.facts().in<dataflow::Comparison>(edge.from);
+        const auto asked = std::ranges::find_if(comparisons, [&](const dataflow::Comparison& comparison) {
+            return edge.condition == comparison.expression;
+        });
+        if (asked == comparisons.end() || !dataflow::is_comparison(asked->operation)) return false;
+        Operation leads_there = edge.holds ? asked->operation : dataflow::opposite(asked->operation);
+        ExpressionId bound = asked->right_expression;
+        if (!is_counter(asked->left_expression)) {
+            if (!is_counter(asked->right_expression)) return false;
+            bound = asked->left_expression;
+            leads_there = dataflow::mirrored(leads_there);
+        }
+        const bool is_above = test.stays == Operation::greater || test.stays == Operation::greater_equal;
+        return same_expression(program, bound, test.bound) &&
+               leads_there == (is_above ? Operation::less : Operation::greater);
+    });
+}
+
 /// Whether the step moves the counter to where the loop goes on.
-bool leads_away(const Counter& counter, const dataflow::Step& step, double amount) {
-    if (!counter.clamps.empty()) return false;
-    const bool down = (step.operation == Operation::subtract) == (amount > 0);
+bool leads_away(const ProgramAnalysis& analysis, const Counter& counter, const dataflow::Step& step,
+                bool is_positive) {
+    if (!std::ranges::all_of(counter.clamps, [&](const dataflow::Store* clamp) {
+            return waits_for_the_end(analysis, counter, *clamp);
+        }))
+        return false;
+    const bool down = (step.operation == Operation::subtract) == is_positive;
     return std::ranges::all_of(counter.tests, [down](const CounterTest& test) {
         const bool below = test.stays == Operation::less || test.stays == Operation::less_equal;
         const bool above = test.stays == Operation::greater || test.stays == Operation::greater_equal;
@@ -26,10 +64,10 @@ StepFault fault_of(const ProgramAnalysis& analysis, const Counter& counter, cons
     if (call_that_leads_away(analysis, counter, step)) return StepFault::wrong_sign_passed;
     if (amount.vacancy_origin != 0 && amount.can_be(0))
         return is_owed_to_unset_variable(analysis, amount) ? StepFault::none : StepFault::vacant;
-    const auto constant = amount.constant();
-    if (!constant) return StepFault::none;
-    if (*constant == 0) return StepFault::zero;
-    return leads_away(counter, step, *constant) ? StepFault::wrong_sign : StepFault::none;
+    if (amount.constant() == 0.0) return StepFault::zero;
+    const bool has_sign = !amount.can_be(0) && (amount.low >= 0 || amount.high <= 0);
+    return has_sign && leads_away(analysis, counter, step, amount.low >= 0) ? StepFault::wrong_sign
+                                                                            : StepFault::none;
 }
 
 /// The fault of the first step when all have one.
@@ -45,10 +83,10 @@ StepFault fault_of_all(const ProgramAnalysis& analysis, const Counter& counter) 
 
 std::optional<PassedValue> call_that_leads_away(const ProgramAnalysis& analysis, const Counter& counter,
                                                 const dataflow::Step& step) {
-    if (step.amount.constant() || !counter.clamps.empty()) return std::nullopt;
+    if (step.amount.constant()) return std::nullopt;
     return value_for_a_call(analysis, step.amount, [&](const PassedValue& passed) {
         return passed.number != 0 && !passed.left_out && step.amount.can_be(passed.number) &&
-               leads_away(counter, step, passed.number);
+               leads_away(analysis, counter, step, passed.number > 0);
     });
 }
 

@@ -5,6 +5,7 @@ namespace maclint::code_books {
 namespace {
 
 using namespace book;
+constexpr TableText of_16i = "FANUC 16i/18i/21i", of_30i = "FANUC 30i/0i-D";
 constexpr TableText builders = "P Q R L I J K";
 constexpr TableText of_the_builder = "values for the machine's own function";
 constexpr TableText beside_call = "words of the block, no arguments";
@@ -56,6 +57,7 @@ constexpr BookLine lines[] = {
         word("P", "GTUTOR", "program to call, repeats in front of four digits").without("present program, beside Q"),
         word("L", "GTUTOR", "number of repeats").without("1"),
         word("Q", "T", "block number where the called program starts"),
+        whole("P L", "CSDN-PS", "the control stops").in_calls().alarm(of_16i, "007").alarm(of_30i, "007"),
         word("I J K R", "T", beside_call),
     code("M99", "SEED-001:642", "end of a subprogram; of a main program its repeat"),
         word("P", "SEED-001:642", "block to go on with, of the caller or main program"),

@@ -148,6 +148,7 @@ constexpr BookLine lines[] = {
     code("G65", "CSDN-T", "macro call"),
         word("P", "CSDN-T", "program"),
         word("L", "CNCWIKI-CALL", "number of repeats").without("1"),
+        whole("P L", "CSDN-PS", "the control stops").in_calls().alarm(of_16i, "007").alarm(of_30i, "007"),
         word("A B C D E F H I J K M Q R S T U V W X Y Z", "CNCWIKI-CALL", "arguments"),
     code("G66", "CSDN-T", "macro call after each move"),
         word("P", "CSDN-T", "program"),
