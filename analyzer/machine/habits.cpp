@@ -23,6 +23,7 @@ void Habits::see(const Step& step, const Program& program) {
     const ControlModel& control = *program.control;
     see_arc(step, program);
     kept_modes_.see(step, control);
+    lifts_.see(step);
     constexpr ModalRole length_mode = ModalRole::length_compensation;
     if (step.before.of(length_mode).is_known() && step.after.of(length_mode).is_known() &&
         step.before.of(length_mode).value != step.after.of(length_mode).value &&

@@ -3,6 +3,7 @@
 
 #include "analyzer/machine/arc.hpp"
 #include "analyzer/machine/kept_modes.hpp"
+#include "analyzer/machine/lift_watch.hpp"
 #include "analyzer/machine/step.hpp"
 
 #include <cstddef>
@@ -63,6 +64,9 @@ class Habits {
     /// Whether something is wrong with that circle, however the program writes its circles.
     [[nodiscard]] bool is_wrong_arc(Offset block) const { return wrong_arcs_.contains(block); }
 
+    /// Where its tools are moved aside before they are lifted.
+    [[nodiscard]] const LiftWatch& lifts() const { return lifts_; }
+
     /// What it keeps over a change of tool or work offset.
     [[nodiscard]] const KeptModes& kept_modes() const { return kept_modes_; }
     /// The last block that ends a length offset which the program has chosen; 0: there is none.
@@ -88,6 +92,7 @@ class Habits {
     bool waits_for_offset_ = false, waits_for_start_ = false;
     AtChanges spindle_at_changes_, coolant_at_changes_;
     KeptModes kept_modes_;
+    LiftWatch lifts_;
     Offset last_end_of_length_offset_ = 0;
     std::map<std::pair<double, double>, int> pairs_; ///< tool and offset
     std::map<Offset, Arc> wrong_arcs_;               ///< by their blocks

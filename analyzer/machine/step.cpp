@@ -22,6 +22,11 @@ constexpr std::array of_coordinates = {
 
 constexpr std::size_t z_axis = 2;
 
+bool is_zero(const Words& words, char letter) {
+    const auto number = words.number(letter);
+    return number && number->value == 0;
+}
+
 bool contains(std::span<const double> numbers, double number) {
     return std::ranges::find(numbers, number) != numbers.end();
 }
@@ -395,25 +400,23 @@ std::optional<double> Stepper::target(const State& state, const Words& words, st
 
 /// U0 W0 beside the code of a straight cut: the axes stay where they are. A circle may be a whole one.
 bool Stepper::stays_there(const State& state, const Words& words) const {
-    const auto motion = control_->group_with(ModalRole::motion);
-    if (!motion || contains(control_->groups[*motion].circles, state.of(ModalRole::motion).value))
-        return false;
     bool stays = false;
     for (std::size_t axis = 0; axis < state.position.size(); ++axis) {
         const char letter = machine_->axes[axis], increment = machine_->increments[axis];
-        if (increment != 0 && words.has(increment)) {
-            const auto amount = words.number(increment);
-            if (!amount || amount->value != 0) return false;
+        if (letter != 0 && words.has(letter)) {
+            const bool counts_on = has_distance_ && state.of(ModalRole::distance).is_known() &&
+                                   !state.of(ModalRole::distance).is(machine_->absolute);
+            if (!counts_on || !is_zero(words, letter)) return false;
             stays = true;
         }
-        if (letter == 0 || !words.has(letter)) continue;
-        const auto amount = words.number(letter);
-        const bool counts_on = has_distance_ && state.of(ModalRole::distance).is_known() &&
-                               !state.of(ModalRole::distance).is(machine_->absolute);
-        if (!counts_on || !amount || amount->value != 0) return false;
-        stays = true;
+        if (increment != 0 && words.has(increment)) {
+            if (!is_zero(words, increment)) return false;
+            stays = true;
+        }
     }
-    return stays;
+    if (!stays) return false;
+    const auto motion = control_->group_with(ModalRole::motion);
+    return motion && !contains(control_->groups[*motion].circles, state.of(ModalRole::motion).value);
 }
 
 void Stepper::move(State& state, const Words& words, Offset here) {

@@ -101,11 +101,13 @@ TEST(ArcWithLettersOfAnotherPlane, SaysZero) {
 
 TEST(ArcOfACall, LiesInThePlaneOfItsCaller) {
     const auto told = [](const std::string& plane, const std::string& arc) {
-        return messages_raised("MAC522", "O0200\n" + plane +
-                                             "G21G90G54G0X0Y0\nG65P9130X30.Y30.I15.D10.F900.\nM30\n"
-                                             "O9130\n#31=#4-#7/2\n#1=0\nWHILE[#1LT2]DO1\nG90G0X#24Y#25\n"
-                                             "G1X[#24+#31]F#9\n" +
-                                             arc + "\n#1=#1+1\nEND1\nM99\n");
+        return messages_raised(
+            "MAC522",
+            "O0200\n" + plane +
+                "G21G90G54G0X0Y0\nG65P9130X30.Y30.I15.D10.F900.\nM30\n"
+                "O9130\nIF[#7LE0]THEN#3000=1(D)\n#31=#4-#7/2\n#1=0\nWHILE[#1LT2]DO1\nG90G0X#24Y#25\n"
+                "G1X[#24+#31]F#9\n" +
+                arc + "\n#1=#1+1\nEND1\nM99\n");
     };
     EXPECT_THAT(told("G17", "G3K-#31"), ElementsAre(HasSubstr("under G17")));
     EXPECT_THAT(told("G18", "G3K-#31"), IsEmpty());
@@ -182,6 +184,16 @@ TEST(MoveOfNoLength, CutsNothing) {
                       tail = "\nG0X50.Z2.\nG1Z-5.F.2\nM30\n";
     EXPECT_THAT(lines_raised("MAC553", head + "U0.W0." + tail), IsEmpty());
     EXPECT_THAT(lines_raised("MAC553", head + "U1.W0." + tail), ElementsAre(5));
+}
+
+TEST(ModeThatACallPutsBack, IsAsBefore) {
+    const auto told = [](const std::string& end) {
+        return lines_raised("MAC567", "O0900\nG21G17G90G54\nT1M6\nG0X0Y0S900M3\nG43H1Z50.\nG1Z-5.F200.\n"
+                                      "G65P9001\nG0Z50.\nG28Z0\nM30\nO9001\n#1=#4003\nG91G0Z1.\n" +
+                                          end + "M99\n");
+    };
+    EXPECT_THAT(told("G#1\n"), ElementsAre(9));
+    EXPECT_THAT(told(""), IsEmpty()); // G91 is left on
 }
 
 TEST(ToolOfACall, IsTheOneThatItPasses) {
