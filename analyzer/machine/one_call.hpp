@@ -11,8 +11,8 @@ namespace maclint::machine {
 
 struct OneCall {
     std::unordered_map<ExpressionId, double>
-        numbers;                ///< of words that are calculated, as far as they are known
-    std::vector<bool> passable; ///< of every edge, whether it can be taken
+        numbers;                      ///< of words that are calculated, as far as they are known
+    std::vector<bool> passable;       ///< of every edge, whether it can be taken
     std::optional<double> plane = {}; ///< the code in force when it is called, where that is known
 };
 

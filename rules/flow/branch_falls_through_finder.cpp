@@ -165,9 +165,8 @@ class Tables {
     }
 
     [[nodiscard]] bool is_jumped_to(flow::NodeId node) const {
-        return std::ranges::any_of(graph_.in[node], [&](flow::EdgeId id) {
-            return graph_.edges[id].kind == flow::EdgeKind::jump;
-        });
+        return std::ranges::any_of(
+            graph_.in[node], [&](flow::EdgeId id) { return graph_.edges[id].kind == flow::EdgeKind::jump; });
     }
 
     /// A test of whatever, and its jump.

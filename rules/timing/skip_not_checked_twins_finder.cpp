@@ -96,7 +96,8 @@ class Touches {
 } // namespace
 
 std::vector<UncheckedTwin> find_unchecked_twins(const ProgramAnalysis& analysis) {
-    if (analysis.control().machine_words == nullptr || !queries::reads_positions(analysis.program())) return {};
+    if (analysis.control().machine_words == nullptr || !queries::reads_positions(analysis.program()))
+        return {};
     return Touches(analysis).find();
 }
 

@@ -44,7 +44,8 @@ extern const Rule crossed_axes{
          {"case", "Another work offset: {0} belongs to {1}, and '{2}' stands in the case for {3}.",
           "Take {4}, as the other cases take their own."},
          {"store-of-case",
-          "Variable of another case: '{0}' sets {1}, as line {2} does in its case; the statements beside it set "
+          "Variable of another case: '{0}' sets {1}, as line {2} does in its case; the statements beside it "
+          "set "
           "those of their own.",
           "Take {3}."}},
     .bad = {{"fanuc", R"nc(

@@ -30,8 +30,8 @@ namespace maclint::queries {
 /// A call that begins the program with numbers.
 struct NumberedCall {
     const ProgramAnalysis* program; ///< in which it stands
-    Span span;     ///< empty: none is needed, the program's own text makes the numbers
-    bool is_shown; ///< by a remark of the program itself
+    Span span;                      ///< empty: none is needed, the program's own text makes the numbers
+    bool is_shown;                  ///< by a remark of the program itself
     dataflow::KnownStart start;
     std::optional<EffectId> effect; ///< of a call that stands in a block
 };

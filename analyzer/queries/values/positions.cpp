@@ -12,8 +12,8 @@ const VariableRange* position_read(const Program& program, ExpressionId expressi
     const auto* load = std::get_if<LoadMachine>(&program.expressions[expression].node);
     const VariableRange* range =
         load == nullptr ? nullptr : program.control->families[load->family].find(load->number);
-    const bool is_position = range != nullptr && (!range->positions_of.empty() || range->is_skip_position ||
-                                                  range->is_block_end);
+    const bool is_position =
+        range != nullptr && (!range->positions_of.empty() || range->is_skip_position || range->is_block_end);
     return is_position ? range : nullptr;
 }
 
