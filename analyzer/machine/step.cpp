@@ -141,7 +141,7 @@ Stepper::Stepper(const Program& program, const MachineWords& machine)
     , machine_(&machine)
     , demands_(control_->demands != nullptr && !control_->demands->blocks.empty() ? control_->demands.get()
                                                                                   : nullptr)
-    , stored_(program)
+    , stored_(std::make_shared<const StoredVariables>(program))
     , spindle_(control_->group_with(ModalRole::spindle))
     , cycle_(control_->group_with(ModalRole::cycle))
     , has_distance_(control_->group_with(ModalRole::distance).has_value())
@@ -189,7 +189,7 @@ void Stepper::apply(State& state, const BlockView& block, const Words& words) {
 /// set whatever it likes, but for a modal macro call, which names its program.
 void Stepper::apply_computed_code(State& state, ExpressionId code, const Words& words) {
     has_applied_code_ = true;
-    const auto group = stored_.saved_group(*program_, code);
+    const auto group = stored_->saved_group(*program_, code);
     const ModalRole role = group ? control_->groups[*group].role : ModalRole::other;
     if (!group) {
         const Known calls = state.of(ModalRole::macro_call);
@@ -367,7 +367,7 @@ void Stepper::choose_offsets(State& state, const BlockView& block, const Words& 
 Known Stepper::chosen(const Words& words, char letter, Offset here) const {
     if (const auto number = words.number(letter)) return Known::of(number->value, here);
     const auto* value = std::get_if<ExpressionId>(&words.word(letter)->value);
-    const auto passed = value == nullptr ? std::nullopt : stored_.passed(*program_, *value);
+    const auto passed = value == nullptr ? std::nullopt : stored_->passed(*program_, *value);
     return passed ? Known::passed_in(*passed, here) : Known::nothing();
 }
 

@@ -9,6 +9,7 @@
 
 #include <array>
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <span>
 #include <vector>
@@ -168,8 +169,8 @@ class Stepper {
     const Program* program_;
     const ControlModel* control_;
     const MachineWords* machine_;
-    const ShopDemands* demands_; ///< nullptr: no blocks are demanded
-    StoredVariables stored_;
+    const ShopDemands* demands_;                    ///< nullptr: no blocks are demanded
+    std::shared_ptr<const StoredVariables> stored_; ///< copies share it: one is made for every node
     std::optional<GroupId> spindle_, cycle_;
     std::optional<double> spindle_off_, cycle_off_;
     bool has_distance_, has_level_; ///< groups that not every control has
