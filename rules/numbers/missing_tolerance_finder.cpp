@@ -4,6 +4,7 @@
 #include "analyzer/dataflow/domain/read_set.hpp"
 #include "analyzer/program/block_view.hpp"
 #include "analyzer/program/tables.hpp"
+#include "analyzer/semantics/concrete.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -24,11 +25,6 @@ struct Compared {
     std::optional<ExpressionId> tolerance;
 };
 
-bool asks_for_order(Operation operation) {
-    return operation == Operation::less || operation == Operation::less_equal ||
-           operation == Operation::greater || operation == Operation::greater_equal;
-}
-
 class MissingTolerances {
   public:
     explicit MissingTolerances(const ProgramAnalysis& analysis)
@@ -38,7 +34,7 @@ class MissingTolerances {
 
     /// Nothing unless one side is a position, the other one calculated, and both are compared after a move.
     [[nodiscard]] std::optional<Compared> look_at(const dataflow::Comparison& comparison) const {
-        if (!asks_for_order(comparison.operation)) return std::nullopt;
+        if (!semantics::is_order(comparison.operation)) return std::nullopt;
         const VariableRange* left = positions_of(comparison.left_expression);
         const VariableRange* right = positions_of(comparison.right_expression);
         if ((left == nullptr) == (right == nullptr)) return std::nullopt;

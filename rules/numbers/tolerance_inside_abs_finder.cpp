@@ -8,6 +8,7 @@
 #include "analyzer/dialect/characters.hpp"
 #include "analyzer/program/tables.hpp"
 #include "analyzer/queries/values/copies.hpp"
+#include "analyzer/semantics/concrete.hpp"
 
 #include <algorithm>
 #include <array>
@@ -158,11 +159,6 @@ class ShiftedDifferences {
     std::unordered_map<ExpressionId, const dataflow::Read*> reads_;
 };
 
-bool is_relational(Operation operation) {
-    return operation == Operation::less || operation == Operation::less_equal ||
-           operation == Operation::greater || operation == Operation::greater_equal;
-}
-
 /// Whether an amount is taken anywhere.
 bool takes_amounts(const Program& program) {
     return std::ranges::any_of(program.expressions, [](const Expression& expression) {
@@ -178,7 +174,7 @@ std::vector<ShiftedDifference> find_shifted_differences(const ProgramAnalysis& a
     if (!takes_amounts(analysis.program())) return found;
     const ShiftedDifferences search(analysis);
     for (const dataflow::Comparison& comparison : analysis.facts().all<dataflow::Comparison>()) {
-        if (!is_relational(comparison.operation)) continue;
+        if (!semantics::is_order(comparison.operation)) continue;
         for (const ExpressionId side : {comparison.left_expression, comparison.right_expression})
             if (const auto shifted = search.in(comparison.effect, side)) found.push_back(*shifted);
     }

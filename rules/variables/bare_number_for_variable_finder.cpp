@@ -185,6 +185,14 @@ void find_own_numbers(const Program& program, std::vector<BareNumber>& found) {
     }
 }
 
+/// Whether the expression is made of numbers alone, and calculated.
+bool is_of_numbers(const Program& program, const Apply& apply) {
+    return is_basic_arithmetic(apply.operation) &&
+           std::ranges::all_of(program.operands_of(apply), [&](ExpressionId operand) {
+               return std::holds_alternative<Literal>(program.expressions[operand].node);
+           });
+}
+
 /// `#30=517*2` where the program sets #517, and nothing in it reads that; `S[3800/19]` where it only checks
 /// #19, and no variable stands in the calculation.
 void find_in_calculations(const Program& program, const std::set<std::int64_t>& in_vain,
@@ -196,9 +204,7 @@ void find_in_calculations(const Program& program, const std::set<std::int64_t>& 
         const auto* apply = std::get_if<Apply>(&program.expressions[id].node);
         if (apply == nullptr || is_index[id] || !is_basic_arithmetic(apply->operation)) continue;
         const auto operands = program.operands_of(*apply);
-        const bool of_numbers = std::ranges::all_of(operands, [&](ExpressionId operand) {
-            return std::holds_alternative<Literal>(program.expressions[operand].node);
-        });
+        const bool of_numbers = is_of_numbers(program, *apply);
         for (const ExpressionId operand : operands) {
             const auto number = number_of_a_variable(program, operand);
             const Span span = program.expressions[operand].span;
@@ -279,14 +285,6 @@ void find_in_sums(const Program& program, std::vector<BareNumber>& found) {
             }
         }
     }
-}
-
-/// Whether the expression is made of numbers alone, and calculated.
-bool is_of_numbers(const Program& program, const Apply& apply) {
-    return is_basic_arithmetic(apply.operation) &&
-           std::ranges::all_of(program.operands_of(apply), [&](ExpressionId operand) {
-               return std::holds_alternative<Literal>(program.expressions[operand].node);
-           });
 }
 
 /// `Q[17/2]` where the program reads #17, which Q passes: nobody has two numbers calculated. Of a small

@@ -3,6 +3,7 @@
 #include "analyzer/dataflow/facts/read.hpp"
 #include "analyzer/queries/conditions/conditions.hpp"
 #include "analyzer/queries/vacancy/unset_reads.hpp"
+#include "analyzer/semantics/concrete.hpp"
 #include "analyzer/workspace/program_analysis.hpp"
 #include "rules/path.hpp"
 #include "rules/rule.hpp"
@@ -56,11 +57,6 @@ N9 #3000=1(K MISSING OR NEGATIVE)
 
 namespace {
 
-bool is_relational(Operation operation) {
-    return operation == Operation::less || operation == Operation::less_equal ||
-           operation == Operation::greater || operation == Operation::greater_equal;
-}
-
 /// A later read of the variable that still may find it vacant.
 const dataflow::Read* later_use(const ProgramAnalysis& analysis, const dataflow::Comparison& comparison,
                                 Variable variable) {
@@ -77,7 +73,7 @@ void check(const ProgramAnalysis& analysis, Reporter& reporter) {
     const Program& program = analysis.program();
     std::unordered_set<dataflow::Key> settled;
     for (const dataflow::Comparison& comparison : analysis.facts().all<dataflow::Comparison>()) {
-        if (!is_relational(comparison.operation)) continue;
+        if (!semantics::is_order(comparison.operation)) continue;
         const bool left = comparison.right.constant().has_value();
         if (!left && !comparison.left.constant()) continue;
         const dataflow::Value& value = left ? comparison.left : comparison.right;
