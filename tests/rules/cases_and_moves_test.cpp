@@ -125,6 +125,10 @@ TEST(RowOfAnotherCase, SetsOneVariableOfTheFirst) {
     EXPECT_THAT(told("#7003=#7003+#26"), ElementsAre(11));
     EXPECT_THAT(told("#7023=#7023+#26"), IsEmpty());
     EXPECT_THAT(told("#510=#510+1"), IsEmpty());
+    const std::string counter = "O9254\nIF[#160EQ1]GOTO1\nIF[#160EQ2]GOTO2\n#3000=52(PALLET)\n"
+                                "N1#501=#501+#24\n#502=#502+#25\n#509=#509+1\nGOTO9\n"
+                                "N2#511=#511+#24\n#512=#512+#25\n#509=#509+1\nN9M99\n";
+    EXPECT_THAT(lines_raised("MAC215", counter), IsEmpty()); // of both
     const auto guarded = [](const std::string& last) {
         return lines_raised("MAC215", "O9253\n#30=FIX[#4120/100]\nIF[#30EQ2]THEN#2002=#2002-#21\n"
                                       "IF[#30EQ2]THEN#2102=#2102-#23\nIF[#30EQ4]THEN#2004=#2004-#21\n"

@@ -53,6 +53,8 @@ TEST(LoopWithoutEffect, IsLeftWithACountThatNobodyReads) {
     EXPECT_THAT(told("IF[#10LE#26]GOTO1", "G1Z-#10F#9\n"), IsEmpty());
     EXPECT_THAT(told("G1Z-#10F#9\nIF[#10LE#26]GOTO1", "#10=#26\nG1Z-#10F#9\n"), IsEmpty()); // it cuts
     EXPECT_THAT(told("IF[#1000EQ0]GOTO1", "#10=#26\nG1Z-#10F#9\n"), IsEmpty());             // it waits
+    EXPECT_THAT(told("IF[#10LE[#5043+#26]]GOTO1", "#10=#26\nG1Z-#10F#9\n"),
+                IsEmpty()); // until an axis is there
     const std::string common = "O9400\nN1#510=#510+#17\nIF[#510LE#26]GOTO1\nM99\n";
     EXPECT_THAT(lines_raised("MAC342", common), IsEmpty()); // others read it
 }
