@@ -1,6 +1,7 @@
 //! Wrong blocks, and the cause that is told for each.
 #include "analyzer/dialect/fanuc/diagnose.hpp"
 #include "analyzer/dialect/fanuc/split.hpp"
+#include "analyzer/program/faults.hpp"
 #include "analyzer/program/readable.hpp"
 #include "tests/dialect/reading.hpp"
 
@@ -229,6 +230,30 @@ TEST(SyntaxErrors, ARemarkAfterASharpIsToldAndTheBlockBeforeItRead) {
     EXPECT_EQ(file.syntax_errors[2].cure, "'#'");
     EXPECT_EQ(count_readable(file).unreadable, 0U);
     EXPECT_EQ(count_readable(file).blocks, 5U);
+}
+
+TEST(SyntaxErrors, ABlockOfANumberAloneIsReadWithoutWhatWouldStandBehindIt) {
+    for (const std::string code : {"N10", "N10;", "N10;N20", ";", "N10 ;N20;"}) {
+        const auto cause =
+            fanuc::find_cause(code, {0, static_cast<Offset>(std::min(code.find(';'), code.size()))});
+        EXPECT_FALSE(cause) << code << ": " << cause->subject;
+        const Span behind{static_cast<Offset>(code.size()), static_cast<Offset>(code.size())};
+        EXPECT_FALSE(fanuc::find_cause(code, behind)) << code;
+    }
+}
+
+TEST(SyntaxErrors, BlanksBesideADecimalCommaAreNothingToTheControl) {
+    for (const std::string code : {"G0X1,5Y0", "G0X1 ,5Y0", "G0X1, 5Y0", "G0X1\t,\t5Y0"}) {
+        const auto cause = fanuc::find_cause(code, {0, static_cast<Offset>(code.size())});
+        ASSERT_TRUE(cause) << code;
+        EXPECT_EQ(cause->fault, faults::decimal_comma) << code;
+        EXPECT_EQ(cause->cure, "1.5") << code;
+        ASSERT_EQ(cause->remedy.changes.size(), 1U);
+        std::string mended = code;
+        const Span comma = cause->remedy.changes[0].span;
+        mended.replace(comma.begin, comma.length(), cause->remedy.changes[0].text);
+        EXPECT_EQ(mended, "G0X1.5Y0");
+    }
 }
 
 TEST(SyntaxErrors, AVariableIsNoRemark) {

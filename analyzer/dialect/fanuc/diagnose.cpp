@@ -378,16 +378,14 @@ std::optional<SyntaxError> ErrorExplainer::decimal_comma() const {
         const auto is_whole = [&](const Token& token) {
             return token.kind == TokenKind::number && text(token).find('.') == std::string_view::npos;
         };
-        if (depth > 0 || !is_whole(whole) || comma.kind != TokenKind::comma || !is_whole(decimals) ||
-            whole.span.end != comma.span.begin || comma.span.end != decimals.span.begin)
-            continue;
+        if (depth > 0 || !is_whole(whole) || comma.kind != TokenKind::comma || !is_whole(decimals)) continue;
         const bool has_address = i > 0 && tokens_[i - 1].kind == TokenKind::letters;
         const Offset begin = has_address ? tokens_[i - 1].span.begin : whole.span.begin;
         const Span span{begin, decimals.span.end};
         SyntaxError error =
             make(SyntaxErrorKind::unreadable, span, text_.substr(begin, span.length()),
-                 std::string(text(whole)) + "." + std::string(text(decimals)), faults::decimal_comma);
-        error.remedy = {"Write a decimal point", false, {{comma.span, "."}}};
+                 without_blanks(text(whole)) + "." + without_blanks(text(decimals)), faults::decimal_comma);
+        error.remedy = {"Write a decimal point", false, {{{whole.span.end, decimals.span.begin}, "."}}};
         return error;
     }
     return std::nullopt;
@@ -470,7 +468,8 @@ std::optional<SyntaxError> ErrorExplainer::bare_remark() const {
         sign = {block_.begin, block_.begin + 1};
     else if (first + 1 < tokens_.size() && text(tokens_[first]) == "/" && text(tokens_[first + 1]) == "/")
         sign = join(tokens_[first].span, tokens_[first + 1].span);
-    const bool has_brackets = tokens_[first].kind == TokenKind::comment; // and others in it
+    const bool has_brackets =
+        first < tokens_.size() && tokens_[first].kind == TokenKind::comment; // and others in it
     if (sign.empty() || has_brackets || !is_prose()) return std::nullopt;
     return make(SyntaxErrorKind::bare_remark, {sign.begin, block_.end},
                 text_.substr(sign.begin, block_.end - sign.begin),
