@@ -57,6 +57,7 @@
     RULE(read_of_write_only_variable)           /* MAC231 */ \
     RULE(suppression_value)                     /* MAC232 */ \
     RULE(value_for_number)                      /* MAC233 */ \
+    RULE(code_of_other_group)                   /* MAC234 */ \
     RULE(jump_target_missing)                   /* MAC301 */ \
     RULE(goto_suspicious_target)                /* MAC302 */ \
     RULE(jump_into_loop)                        /* MAC303 */ \

@@ -231,11 +231,12 @@ bool Reader::lacks_centre() const {
            !step_.words.has_other_target() && (has_end(x_axis) || has_end(y_axis) || has_end(z_axis));
 }
 
-/// `G17 G3 K-#31`: whatever the value is, or none, the circle has no centre.
+/// `G17 G3 K-#31`, `G17 G3 J0 K-#31`: whatever the value is, or none, the circle has no centre.
 bool Reader::has_centre_only_outside(std::size_t axis) const {
     const char outside = machine_.centres[axis];
-    const bool is_alone =
-        std::ranges::none_of(machine_.centres, [&](char letter) { return letter != outside && has(letter); });
+    const bool is_alone = std::ranges::none_of(machine_.centres, [&](char letter) {
+        return letter != outside && has(letter) && (!can_be_read(letter) || value(letter) != 0);
+    });
     return is_alone && has(outside) && !can_be_read(outside) && !step_.words.number(outside);
 }
 

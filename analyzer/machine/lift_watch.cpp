@@ -1,12 +1,17 @@
 //! Keeps the last moves that may still turn out to be such a pair.
 #include "analyzer/machine/lift_watch.hpp"
 
+#include <algorithm>
+#include <cmath>
+
 namespace maclint::machine {
 namespace {
 
 constexpr std::size_t z_axis = 2;
+constexpr std::size_t most_places = 200; ///< of one depth; a path with more is no programmer's
 
 SideMove move_of(const Step& step) {
+    const Known& compensation = step.after.of(ModalRole::cutter_compensation);
     return {step.block.span,
             step.move == Move::rapid,
             step.move == Move::feed,
@@ -14,7 +19,10 @@ SideMove move_of(const Step& step) {
             step.axes[0] || step.axes[1],
             step.axes[z_axis],
             step.before.position[z_axis],
-            step.after.position[z_axis]};
+            step.after.position[z_axis],
+            {step.axes[0], step.axes[1]},
+            compensation.is_known() && compensation.block == step.block.span.begin,
+            {step.after.position[0], step.after.position[1]}};
 }
 
 bool is_lift(const SideMove& move) { return move.in_z && !move.aside; }
@@ -57,7 +65,7 @@ void LiftWatch::add(const SideMove& move) {
     lifted_.reset();
     if (aside_) {
         const LateLift late{aside_->block, aside_->z_before, move.block};
-        if (returns_behind(*aside_, move))
+        if (returns_behind(*aside_, move) || (goes_up_behind(*aside_, move) && leads_elsewhere(*aside_)))
             lifts_.push_back(late);
         else if (goes_up_behind(*aside_, move))
             lifted_ = Lifted{late, move.z_after};
@@ -65,7 +73,25 @@ void LiftWatch::add(const SideMove& move) {
     aside_.reset();
     if (is_down_ && move.z_before < 0 && move.aside && !move.in_z && (move.rapid || move.to_reference))
         aside_ = move;
-    if (move.in_z) is_down_ = move.feed && move.z_after < move.z_before;
+    compensates_ = (compensates_ && !move.in_z) || move.sets_compensation;
+    if (move.in_z) {
+        is_down_ = move.feed && move.z_after < move.z_before;
+        has_cut_ = false;
+        places_.clear();
+    } else if (!aside_) {
+        has_cut_ |= is_down_ && move.feed && move.aside;
+    }
+    if (is_down_ && !aside_ && places_.size() < most_places) places_.push_back(move.x_y_after);
+}
+
+bool LiftWatch::leads_elsewhere(const SideMove& aside) const {
+    const auto is_known = [](const std::array<double, 2>& place) {
+        return !std::isnan(place[0]) && !std::isnan(place[1]);
+    };
+    return has_cut_ && !compensates_ && !aside.sets_compensation && places_.size() < most_places &&
+           aside.axes[0] && aside.axes[1] && is_known(aside.x_y_after) &&
+           std::ranges::all_of(
+               places_, [&](const auto& place) { return is_known(place) && place != aside.x_y_after; });
 }
 
 bool LiftWatch::begins_with_lift_of(const SideMove& aside) const {

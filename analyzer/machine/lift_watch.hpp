@@ -3,6 +3,7 @@
 
 #include "analyzer/machine/step.hpp"
 
+#include <array>
 #include <optional>
 #include <span>
 #include <vector>
@@ -22,6 +23,9 @@ struct SideMove {
     bool rapid, feed, to_reference;
     bool aside, in_z; ///< which axes stand in the block
     double z_before, z_after;
+    std::array<bool, 2> axes;        ///< of X and Y
+    bool sets_compensation;          ///< of the cutter
+    std::array<double, 2> x_y_after; ///< not a number where it is not known
 };
 
 /// A move aside at a depth, and the call behind it.
@@ -36,7 +40,8 @@ class LiftWatch {
     void see(const Step& step);
 
     /// X and Y move at rapid traverse behind a cut, then Z alone goes up to 0 or higher, and there the tool
-    /// goes down again where it stands; or all of them return to the reference position in this order.
+    /// goes down again where it stands, or the tool has not been there at this depth; or all of them return
+    /// to the reference position in this order.
     [[nodiscard]] std::span<const LateLift> lifts() const { return lifts_; }
     [[nodiscard]] std::span<const AsideBeforeCall> before_calls() const { return before_calls_; }
     /// Whether the program begins by lifting a tool that another one has left aside, as above.
@@ -44,13 +49,18 @@ class LiftWatch {
 
   private:
     void add(const SideMove& move);
+    /// Whether X and Y go to a place, by a block with both, where the tool was not since it is down.
+    [[nodiscard]] bool leads_elsewhere(const SideMove& aside) const;
 
     struct Lifted {
         LateLift late;
         double z; ///< to which the tool was lifted
     };
-    bool is_down_ = false;    ///< the tool has fed down, and was not lifted since
-    bool after_call_ = false; ///< the called program may have fed down
+    bool is_down_ = false;                      ///< the tool has fed down, and was not lifted since
+    bool after_call_ = false;                   ///< the called program may have fed down
+    std::vector<std::array<double, 2>> places_; ///< in X and Y, where blocks have led since the tool is down
+    bool has_cut_ = false;                      ///< by one of them at least
+    bool compensates_ = false; ///< one of them sets cutter compensation: they follow an outline, and leave it
     std::optional<SideMove> aside_;
     std::optional<Lifted> lifted_;
     std::vector<LateLift> lifts_;

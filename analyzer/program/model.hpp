@@ -489,9 +489,17 @@ struct BlockNumber {
 };
 
 /// One file, read and lowered.
+/// What a text tells of the machine that it is written for, where nothing else says it.
+struct MachineSigns {
+    bool tell = true;               ///< whether it is a mill or a lathe
+    bool has_distance_code = false; ///< G91, or G90 in a move: system A of lathes has none
+    friend bool operator==(MachineSigns, MachineSigns) = default;
+};
+
 struct ProgramFile {
     std::shared_ptr<const Source> source;
     const ControlModel* control = nullptr;
+    MachineSigns machine_signs = {};
     std::vector<Program> programs;
     std::vector<SyntaxError> syntax_errors; ///< by where they begin
     std::vector<DirectiveComment> comments; ///< only those that contain "MACLINT", any case

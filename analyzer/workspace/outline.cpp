@@ -55,7 +55,8 @@ FileOutline outline_of(const ProgramFile& file) {
     std::vector<ProgramOutline> programs;
     programs.reserve(file.programs.size());
     for (const Program& program : file.programs) programs.push_back(outline_of(program));
-    return {file.source->path(), ProgramOutlines(std::move(programs))};
+    return {file.source->path(), ProgramOutlines(std::move(programs)), file.control->code_system,
+            file.machine_signs};
 }
 
 } // namespace maclint

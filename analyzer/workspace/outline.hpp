@@ -72,6 +72,8 @@ class ProgramOutlines {
 struct FileOutline {
     std::string path;
     ProgramOutlines programs;
+    char code_system = 0; ///< of the control that it is read for; 0: its codes come in none
+    MachineSigns machine_signs = {};
     friend bool operator==(const FileOutline&, const FileOutline&) = default;
 };
 

@@ -2,6 +2,7 @@
 #include "cli/engine/connections.hpp"
 
 #include "analyzer/workspace/groups.hpp"
+#include "analyzer/workspace/lathes_of_callers.hpp"
 
 #include <algorithm>
 #include <functional>
@@ -30,7 +31,8 @@ Connections::Connections(const Snapshot& snapshot, std::vector<FileOutline> outl
     , computed_calls_(snapshot, outlines_)
     , same_numbers_(snapshot, outlines_)
     , own_macros_(snapshot, outlines_)
-    , definitions_(snapshot, outlines_) {}
+    , definitions_(snapshot, outlines_)
+    , lathes_of_callers_(lathes_of_callers(outlines_)) {}
 
 bool Connections::hold_for(const Snapshot& snapshot, const std::vector<FileOutline>& outlines) const {
     const auto is_same = [](const FileFacts& known, const SnapshotFile& file) {

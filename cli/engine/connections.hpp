@@ -31,6 +31,8 @@ class Connections {
     [[nodiscard]] const SameNumbers& same_numbers() const { return same_numbers_; }
     [[nodiscard]] const OwnMacros& own_macros() const { return own_macros_; }
     [[nodiscard]] const Definitions& definitions() const { return definitions_; }
+    /// The G code system of the lathes that a file is for as its callers tell; 0: they do not.
+    [[nodiscard]] char lathe_of_callers(std::size_t place) const { return lathes_of_callers_[place]; }
 
   private:
     /// What is asked of a file beside its outline.
@@ -50,6 +52,7 @@ class Connections {
     SameNumbers same_numbers_;
     OwnMacros own_macros_;
     Definitions definitions_;
+    std::vector<char> lathes_of_callers_;
 };
 
 } // namespace maclint::cli

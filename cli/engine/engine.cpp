@@ -277,9 +277,14 @@ class Run {
     std::shared_ptr<const ProgramFile> programs_of(std::size_t place) {
         const Stopwatches::Running running(watches_.reading);
         ReadFile& read = seen_[place].read;
-        if (read.dialect == nullptr || read.file != nullptr) return std::exchange(read.file, nullptr);
+        const ControlModel* lathe =
+            read.dialect == nullptr ? nullptr : read.control->lathe_of(connections_->lathe_of_callers(place));
+        if (read.dialect == nullptr || (read.file != nullptr && lathe == nullptr))
+            return std::exchange(read.file, nullptr);
+        read.file = nullptr;
         const SnapshotFile& file = snapshot_.files[place];
-        const ProgramStore::Reading reading{read.dialect, read.control, file.settings.configuration};
+        const ProgramStore::Reading reading{read.dialect, lathe == nullptr ? read.control : lathe,
+                                            file.settings.configuration};
         std::shared_ptr<const Source> source = read.source;
         if (source == nullptr) {
             if (auto kept = store_.find(file.input.path, stamps_[place], reading)) return kept;

@@ -18,4 +18,14 @@ struct PositionForTouch {
 /// expressions, each store once.
 [[nodiscard]] std::vector<PositionForTouch> find_positions_for_touches(const ProgramAnalysis& analysis);
 
+struct PositionKeptForTouch {
+    EffectId store;     ///< #500=#5041, behind a move that a signal ends
+    ExpressionId asked; ///< #5061, which the program asks for to see whether there was a signal
+};
+
+/// A variable for other programs keeps where the axis stands behind a move that a signal ends; where the
+/// signal came is asked for, and kept nowhere. In the order of the text.
+[[nodiscard]] std::vector<PositionKeptForTouch>
+find_positions_kept_for_touches(const ProgramAnalysis& analysis);
+
 } // namespace maclint::rules

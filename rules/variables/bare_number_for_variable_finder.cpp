@@ -2,9 +2,8 @@
 #include "rules/variables/bare_number_for_variable_finder.hpp"
 
 #include "analyzer/program/block_view.hpp"
-#include "analyzer/program/indices.hpp"
 #include "analyzer/program/tables.hpp"
-#include "analyzer/semantics/concrete.hpp"
+#include "rules/variables/bare_number_for_variable_calculations_finder.hpp"
 
 #include <algorithm>
 #include <array>
@@ -77,141 +76,6 @@ void find_in_brackets(const Program& program, const VariableWords& siblings, std
                   (word != nullptr && is_argument_of_letter(program, *word, *number))) &&
                  names_variable(program, *number))
             found.push_back({*number, expression.span, {}});
-    }
-}
-
-/// The variables that conditions ask for being there, by their reads.
-std::set<ExpressionId> vacancy_tests(const Program& program) {
-    std::set<ExpressionId> reads;
-    for (const Expression& expression : program.expressions) {
-        const auto* test = std::get_if<Apply>(&expression.node);
-        if (test != nullptr &&
-            (test->operation == Operation::is_vacant || test->operation == Operation::is_set))
-            reads.insert(program.operands_of(*test).front());
-    }
-    return reads;
-}
-
-/// The numbers of variables that the program sets, or asks for as arguments, and never reads. Whether they
-/// are there it may ask.
-std::set<std::int64_t> numbers_in_vain(const Program& program) {
-    const std::set<ExpressionId> tests = vacancy_tests(program);
-    std::set<std::int64_t> numbers;
-    for (const Effect& effect : program.effects)
-        if (const auto* assign = std::get_if<Assign>(&effect.what))
-            if (const auto* target = std::get_if<Variable>(&assign->target))
-                if (!program.is_formal(*target)) numbers.insert(target->number);
-    for (const ExpressionId id : tests)
-        if (const auto* load = std::get_if<Load>(&program.expressions[id].node))
-            if (program.is_formal(load->variable)) numbers.insert(load->variable.number);
-    for (ExpressionId id = 0; id < program.expressions.size(); ++id)
-        if (const auto* load = std::get_if<Load>(&program.expressions[id].node); load && !tests.contains(id))
-            numbers.erase(load->variable.number);
-    return numbers;
-}
-
-/// The numbers of arguments that the program compares, or asks for being there, and does nothing else with.
-std::set<std::int64_t> numbers_only_asked(const Program& program) {
-    std::set<ExpressionId> asked = vacancy_tests(program);
-    std::set<std::int64_t> numbers;
-    for (const Expression& expression : program.expressions) {
-        const auto* test = std::get_if<Apply>(&expression.node);
-        if (test != nullptr && semantics::is_comparison(test->operation))
-            for (const ExpressionId operand : program.operands_of(*test)) asked.insert(operand);
-    }
-    for (const ExpressionId id : asked)
-        if (const auto* load = std::get_if<Load>(&program.expressions[id].node))
-            if (program.is_formal(load->variable)) numbers.insert(load->variable.number);
-    for (ExpressionId id = 0; id < program.expressions.size(); ++id)
-        if (const auto* load = std::get_if<Load>(&program.expressions[id].node); load && !asked.contains(id))
-            numbers.erase(load->variable.number);
-    return numbers;
-}
-
-/// Marks the expression and its operands.
-void mark(const Program& program, ExpressionId id, std::vector<bool>& marked) {
-    marked[id] = true;
-    if (const auto* apply = std::get_if<Apply>(&program.expressions[id].node))
-        for (const ExpressionId operand : program.operands_of(*apply)) mark(program, operand, marked);
-}
-
-/// Those in brackets that name a variable by its number.
-std::vector<bool> indexes(const Program& program) {
-    std::vector<bool> marked(program.expressions.size(), false);
-    for_each_index(program, [&](ExpressionId index) { mark(program, index, marked); });
-    return marked;
-}
-
-bool is_basic_arithmetic(Operation operation) {
-    return operation == Operation::add || operation == Operation::subtract ||
-           operation == Operation::multiply || operation == Operation::divide;
-}
-
-/// Whether the number is likely that of a variable: small ones, and round ones, are numbers.
-bool is_like_a_variable(const Program& program, std::int64_t number) {
-    constexpr std::int64_t first_common = 100, round = 10;
-    if (number % round == 0) return false;
-    return number >= first_common || std::ranges::any_of(program.control->formals, [&](Variable formal) {
-               return formal.number == number && number > round;
-           });
-}
-
-/// `A549` in a call, where #549 is the program's and nothing in it reads that.
-void find_in_arguments(const Program& program, const std::set<std::int64_t>& in_vain,
-                       std::vector<BareNumber>& found) {
-    constexpr std::int64_t first_common = 100;
-    for (const Argument& argument : program.arguments) {
-        const auto number = number_of_a_variable(program, argument.value);
-        if (number && *number >= first_common && in_vain.contains(*number) &&
-            is_like_a_variable(program, *number))
-            found.push_back({*number, argument.span, {}, true});
-    }
-}
-
-/// `#101=101+1`: no variable is set to a sum of numbers, and its own among them.
-void find_own_numbers(const Program& program, std::vector<BareNumber>& found) {
-    for (const Effect& effect : program.effects) {
-        const auto* assign = std::get_if<Assign>(&effect.what);
-        const auto* target = assign == nullptr ? nullptr : std::get_if<Variable>(&assign->target);
-        const auto* sum =
-            target == nullptr ? nullptr : std::get_if<Apply>(&program.expressions[assign->value].node);
-        if (sum == nullptr || (sum->operation != Operation::add && sum->operation != Operation::subtract))
-            continue;
-        const auto operands = program.operands_of(*sum);
-        const auto number = number_of_a_variable(program, operands[0]);
-        if (number == target->number &&
-            std::holds_alternative<Literal>(program.expressions[operands[1]].node))
-            found.push_back({*number, program.expressions[operands[0]].span, effect.span});
-    }
-}
-
-/// Whether the expression is made of numbers alone, and calculated.
-bool is_of_numbers(const Program& program, const Apply& apply) {
-    return is_basic_arithmetic(apply.operation) &&
-           std::ranges::all_of(program.operands_of(apply), [&](ExpressionId operand) {
-               return std::holds_alternative<Literal>(program.expressions[operand].node);
-           });
-}
-
-/// `#30=517*2` where the program sets #517, and nothing in it reads that; `S[3800/19]` where it only checks
-/// #19, and no variable stands in the calculation.
-void find_in_calculations(const Program& program, const std::set<std::int64_t>& in_vain,
-                          std::vector<BareNumber>& found) {
-    const std::set<std::int64_t> only_asked = numbers_only_asked(program);
-    if (in_vain.empty() && only_asked.empty()) return;
-    const std::vector<bool> is_index = indexes(program);
-    for (ExpressionId id = 0; id < program.expressions.size(); ++id) {
-        const auto* apply = std::get_if<Apply>(&program.expressions[id].node);
-        if (apply == nullptr || is_index[id] || !is_basic_arithmetic(apply->operation)) continue;
-        const auto operands = program.operands_of(*apply);
-        const bool of_numbers = is_of_numbers(program, *apply);
-        for (const ExpressionId operand : operands) {
-            const auto number = number_of_a_variable(program, operand);
-            const Span span = program.expressions[operand].span;
-            if (number && (in_vain.contains(*number) || (of_numbers && only_asked.contains(*number))) &&
-                is_like_a_variable(program, *number) && !program.slice(span).starts_with('['))
-                found.push_back({*number, span, {}, true});
-        }
     }
 }
 
@@ -400,10 +264,7 @@ std::vector<BareNumber> find_bare_numbers(const Program& program) {
     std::vector<BareNumber> found;
     const VariableWords siblings = words_of_variables(program);
     find_in_brackets(program, siblings, found);
-    const std::set<std::int64_t> in_vain = numbers_in_vain(program);
-    find_in_calculations(program, in_vain, found);
-    find_in_arguments(program, in_vain, found);
-    find_own_numbers(program, found);
+    find_in_calculations(program, found);
     find_in_sums(program, found);
     find_in_words_of_numbers(program, siblings, found);
     find_beside_next_number(program, found);

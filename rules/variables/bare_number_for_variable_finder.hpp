@@ -24,7 +24,8 @@ struct BareNumber {
     bool is_set_in_vain = false; ///< the variable, whose number stands in a calculation
 };
 
-/// Numbers alone in brackets, where the program names the variable of that number; and words whose number has
+/// Numbers alone in brackets, where the program names the variable of that number, small ones in calculations
+/// where it reads that argument; and words whose number has
 /// no point while those of all others do, where a word of the same letter takes that variable; and numbers in
 /// calculations and arguments, where the program sets the variable of that number, or asks whether it was
 /// passed, and nothing reads it; where a statement sets the variable to a sum of numbers (`#101=101+1`);

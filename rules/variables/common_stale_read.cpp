@@ -33,6 +33,10 @@ extern const Rule common_stale_read{
                   "Value from the run before: {0} is set on one way from '{1}' only, and read here behind "
                   "both; the other way sets {2} on line {3}, and leaves {0}.",
                   "Set it there, too, or before the condition."},
+                 {"left-out",
+                  "Value from the run before: line {1} alone sets {0}, '{2}' passes it by, and {0} is read "
+                  "here all the same.",
+                  "Set it in that case, too, or before the condition."},
                  {"limit",
                   "Value from the run before: '{0}' looks at {1}, which the program sets on line {2} only.",
                   "Move the check behind that line, or correct the variable."}},
@@ -68,6 +72,13 @@ N10 #101=32
 N20 G90 G0 X#101
 Y#102
 M99
+)nc"},
+            {"fanuc", R"nc(
+O9219(SLOT, H ALLOWANCE)
+IF[#11EQ#0]GOTO10
+#101=#11*2
+N10 G90 G0 X[#24+#101]
+M99
 )nc"}},
     .good = {{"fanuc", R"nc(
 O9216(PASSES)
@@ -89,6 +100,14 @@ G0 Z-#106
 G0 Z#23
 M99
 N9 #3000=1(Z OR TOOL LENGTH)
+)nc"},
+             {"fanuc", R"nc(
+O9219(SLOT, H ALLOWANCE)
+#101=0
+IF[#11EQ#0]GOTO10
+#101=#11*2
+N10 G90 G0 X[#24+#101]
+M99
 )nc"}},
     .exemptions = {{&exemptions::held_against_last_value,
                     "held-against-the-last-value",

@@ -6,6 +6,7 @@
 #include "analyzer/execution/path_search.hpp"
 #include "analyzer/flow/walk.hpp"
 #include "analyzer/program/tables.hpp"
+#include "analyzer/queries/conditions/conditions.hpp"
 #include "analyzer/source/budget.hpp"
 #include "rules/variables/common_stale_read_cases_finder.hpp"
 
@@ -16,6 +17,7 @@
 #include <span>
 #include <unordered_set>
 #include <utility>
+#include <variant>
 
 namespace maclint::rules {
 namespace {
@@ -27,6 +29,7 @@ constexpr std::size_t most_blocks = 16; ///< of one way, from the condition on
 /// Blocks in a row behind one side of a condition, up to where other ways come in.
 struct Way {
     ExpressionId condition;
+    flow::NodeId begin; ///< the condition's own
     flow::NodeId end;
     std::vector<const Store*> stores;
 
@@ -61,22 +64,25 @@ class Ways {
                     unset_at = reached_from(0, setting);
                 }
                 if (!unset_at[sibling->node]) continue;
-                if (auto found = read_behind(*sibling, variable, setting)) {
+                if (auto found = read_behind(sibling->node, variable, setting)) {
                     found->store = store;
+                    found->sibling = sibling;
                     found->condition = way.condition;
                     return found;
                 }
             }
+            if (!Budget::allows()) return std::nullopt;
+            if (auto found = of_passed_by(way, *store)) return found;
         }
         return std::nullopt;
     }
 
   private:
     void add(const flow::Edge& edge) {
-        Way way{*edge.condition, edge.to, {}};
+        Way way{*edge.condition, edge.from, edge.to, {}};
         for (std::size_t i = 0; i < most_blocks; ++i) {
             if (graph_.in[way.end].size() != 1) {
-                if (!way.stores.empty()) ways_.push_back(std::move(way));
+                (way.stores.empty() ? ways_without_stores_ : ways_).push_back(std::move(way));
                 return;
             }
             for (const Store& store : analysis_.facts().in<Store>(way.end)) way.stores.push_back(&store);
@@ -100,14 +106,42 @@ class Ways {
         return found == other.stores.end() ? nullptr : *found;
     }
 
-    [[nodiscard]] std::optional<OneWaySet> read_behind(const Store& sibling, Variable variable,
+    /// Of the only store, which the condition passes by where a letter is left out, and which calculates with
+    /// that letter. What copies it keeps the last one that was given, and may mean to.
+    [[nodiscard]] std::optional<OneWaySet> of_passed_by(const Way& way, const Store& store) {
+        const bool is_passed_by = std::ranges::any_of(ways_without_stores_, [&](const Way& other) {
+            return other.begin == way.begin && other.end == way.end;
+        });
+        if (!is_passed_by || !calculates_with_what_is_asked(way, store)) return std::nullopt;
+        const auto setting = nodes_that_set(analysis_, store.variable);
+        if (setting.size() != 1 || !reached_from(0, setting)[way.end]) return std::nullopt;
+        auto found = read_behind(way.end, store.variable, setting);
+        if (found) {
+            found->store = &store;
+            found->condition = way.condition;
+        }
+        return found;
+    }
+
+    [[nodiscard]] bool calculates_with_what_is_asked(const Way& way, const Store& store) const {
+        const Program& program = analysis_.program();
+        const auto* assign = std::get_if<Assign>(&program.effects[store.effect].what);
+        if (assign == nullptr || !std::holds_alternative<Apply>(program.expressions[assign->value].node))
+            return false;
+        if (!queries::tests_any_vacancy(program, way.condition)) return false;
+        const auto read = dataflow::variables_of(program, assign->value).variables;
+        return std::ranges::any_of(read, [&](Variable variable) { return asks_for(way, variable); });
+    }
+
+    /// From the node on, by which it is not set.
+    [[nodiscard]] std::optional<OneWaySet> read_behind(flow::NodeId node, Variable variable,
                                                        std::span<const flow::NodeId> setting) {
-        const std::vector<bool> behind = reached_from(sibling.node, setting);
+        const std::vector<bool> behind = reached_from(node, setting);
         for (const dataflow::Read* read : first_reads(analysis_, variable)) {
             if (!behind[read->node]) continue;
-            auto found = search_.find(
-                std::array{execution::Leg{sibling.node, setting}, execution::Leg{read->node, setting}});
-            if (found.path) return OneWaySet{read, nullptr, &sibling, 0, *std::move(found.path)};
+            const std::array legs = {execution::Leg{node, setting}, execution::Leg{read->node, setting}};
+            auto found = search_.find(std::span(legs).first(read->node == node ? 1 : 2));
+            if (found.path) return OneWaySet{read, nullptr, nullptr, 0, *std::move(found.path)};
         }
         return std::nullopt;
     }
@@ -128,7 +162,7 @@ class Ways {
     const ProgramAnalysis& analysis_;
     const flow::Graph& graph_;
     execution::PathSearch search_{analysis_};
-    std::vector<Way> ways_;
+    std::vector<Way> ways_, ways_without_stores_;
 };
 
 } // namespace

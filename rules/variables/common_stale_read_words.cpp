@@ -64,10 +64,16 @@ void report_ways(const ProgramAnalysis& analysis, Reporter& reporter) {
         const auto line = [&](const dataflow::Store& store) {
             return line_number(analysis.file(), program.effects[store.effect].span.begin);
         };
-        Finding& finding = reporter.report({analysis, *set.read}, span, "way",
-                                           {program.spell(set.read->variable),
-                                            quoted(program, program.expressions[set.condition].span),
-                                            program.spell(set.sibling->variable), line(*set.sibling)});
+        const std::string variable = program.spell(set.read->variable);
+        const std::string condition = quoted(program, program.expressions[set.condition].span);
+        Finding& finding = set.sibling == nullptr
+                               ? reporter.report({analysis, *set.read}, span, "left-out",
+                                                 {variable, line(*set.store), condition})
+                               : reporter.report({analysis, *set.read}, span, "way",
+                                                 {variable, condition, program.spell(set.sibling->variable),
+                                                  line(*set.sibling)});
+        // Some mean to go on with the last value.
+        if (set.sibling == nullptr) finding.severity = Severity::note;
         finding.related.push_back(related_at_effect(analysis, set.store->effect, "it is set here"));
         show_path(finding, analysis, set.path);
     }

@@ -121,11 +121,49 @@ std::optional<CrossedStatements> crossed_places(const Program& program, const Pa
     return std::nullopt;
 }
 
+bool sets_offset_of(const Program& program, std::int32_t axis) {
+    return std::ranges::any_of(program.effects, [&](const Effect& effect) {
+        const auto* assign = std::get_if<Assign>(&effect.what);
+        const auto* offset = assign == nullptr ? nullptr : std::get_if<StoreMachine>(&assign->target);
+        return offset != nullptr && axis_of(program, offset->family, offset->number) == axis;
+    });
+}
+
+bool is_read(const Program& program, FamilyId family, std::int32_t number) {
+    return std::ranges::any_of(program.expressions, [&](const Expression& expression) {
+        const auto* load = std::get_if<LoadMachine>(&expression.node);
+        return load != nullptr && load->family == family && load->number == number;
+    });
+}
+
+/// Both take the place of one axis, and the next of something else; the program sets offsets of the next
+/// axis, and reads its place nowhere.
+std::optional<CrossedStatements> one_place_for_two(const Program& program, const Pair& pair,
+                                                   const Statement& one, const Statement& two) {
+    if (one.axis != 0 || pair.of_one_axis().size() != 1) return std::nullopt;
+    const auto goes_on = [](const Operands& operands) {
+        return is_next(operands.of_first, operands.of_second);
+    };
+    const bool follow = std::ranges::all_of(pair.operands(), [&](const Operands& operands) {
+        return operands.of_first == operands.of_second || goes_on(operands);
+    });
+    if (!follow || std::ranges::none_of(pair.operands(), goes_on)) return std::nullopt;
+    const Operands& place = pair.of_one_axis().front();
+    const auto* load = std::get_if<LoadMachine>(&program.expressions[place.first].node);
+    const std::int32_t next = axis_of(program, load->family, load->number) + 1;
+    if (axis_of(program, load->family, load->number + 1) != next || !sets_offset_of(program, next) ||
+        is_read(program, load->family, load->number + 1))
+        return std::nullopt;
+    return CrossedStatements{
+        two.effect, one.effect, place.second, {place.of_first.space, load->number + 1}, place.of_first};
+}
+
 std::optional<CrossedStatements> crossed(const Program& program, const Statement& one, const Statement& two) {
     Pair pair(program);
     if (!is_next(one.target, two.target) || !pair.alike(one.assign->value, two.assign->value))
         return std::nullopt;
     if (auto places = crossed_places(program, pair, one, two)) return places;
+    if (auto places = one_place_for_two(program, pair, one, two)) return places;
     std::optional<CrossedStatements> found;
     bool others_follow = pair.has_places_of_axes();
     for (const Operands& operands : pair.operands()) {

@@ -192,7 +192,7 @@ TEST(ArcOfSizes, IsNoneForAnyNumber) {
 
 TEST(ArcOfSizes, CountsFromTheTool) {
     EXPECT_THAT(messages_raised("MAC522", "O9522\nG90 G1 X-20. F200.\nG3 X#1 Y#1 I0 J#18\nM99\n"), IsEmpty());
-    EXPECT_THAT(arc_of_sizes("G18 G3 X#1 Y#1 I0 J#18"), IsEmpty());
+    EXPECT_THAT(arc_of_sizes("G18 G3 X#1 Y#1 I0 J#18"), ElementsAre(HasSubstr("Centre of another plane")));
     EXPECT_THAT(arc_of_sizes("G3 X#1 Y#1 I0 J#5041"), IsEmpty());
 }
 

@@ -68,6 +68,55 @@ TEST(OnlyEnd, IsOneThatNoJumpLeadsTo) {
     EXPECT_THAT(told("200"), IsEmpty());
 }
 
+TEST(CommonOfALetter, IsReadWhereTheLetterIsLeftOut) {
+    const auto told = [](const std::string& before, const std::string& condition, const std::string& behind) {
+        return lines_raised("MAC216", "O9238\n" + before + condition + "\n#101=#11*2\nN10G90G0X[#24+#101]\n" +
+                                          behind + "M99\nN19#3000=1(H)\n");
+    };
+    EXPECT_THAT(told("", "IF[#11EQ#0]GOTO10", ""), ElementsAre(4));
+    EXPECT_THAT(told("#101=0\n", "IF[#11EQ#0]GOTO10", ""), IsEmpty());
+    EXPECT_THAT(told("", "IF[#11EQ#0]GOTO10", "#101=0\n"), IsEmpty()) << "it is put back for the next run";
+    EXPECT_THAT(told("", "IF[#11EQ#0]GOTO19", ""), IsEmpty());
+    EXPECT_THAT(told("IF[#1EQ2]GOTO10\n", "IF[#11EQ#0]GOTO19", ""), IsEmpty()) << "another condition does it";
+    EXPECT_THAT(told("", "IF[#1EQ#0]GOTO10", ""), IsEmpty()) << "it is calculated from another letter";
+}
+
+TEST(CodeOfAnotherGroup, IsLookedForInVain) {
+    const auto told = [](const std::string& condition) {
+        return messages_raised("MAC234", "O9236\nIF[" + condition + "]GOTO9\nG0Z#26\nM99\nN9#3000=1(NO)\n");
+    };
+    EXPECT_THAT(told("#4008NE40"), ElementsAre(AllOf(HasSubstr("always true"), HasSubstr("Read #4007"))));
+    EXPECT_THAT(told("90EQ#4006"), ElementsAre(AllOf(HasSubstr("never true"), HasSubstr("Read #4003"))));
+    for (const std::string condition : {"#4007NE40", "#4008EQ49", "#4005EQ98", "#4001EQ80", "#4012EQ54",
+                                        "#4014EQ54.1", "#4008EQ#1", "#4008GT40", "#4008EQ400"})
+        EXPECT_THAT(told(condition), IsEmpty()) << condition;
+}
+
+TEST(NumberInBrackets, OfACalculationIsThatOfAnArgument) {
+    const auto told = [](const std::string& value) {
+        return lines_raised("MAC229",
+                            "O9237\nIF[#6LE0]GOTO9\n#4=0\n#5=" + value + "\nG0Z#5\nM99\nN9#3000=1(K)\n");
+    };
+    EXPECT_THAT(told("[#4+1]*[6]"), ElementsAre(4));
+    EXPECT_THAT(told("[#4+1]*[#6]"), IsEmpty());
+    EXPECT_THAT(told("[#4+1]*6"), IsEmpty());
+    EXPECT_THAT(told("[#4+1]*[7]"), IsEmpty()) << "nothing else names #7";
+    EXPECT_THAT(told("[#6]*[6]"), IsEmpty()) << "brackets are a habit";
+}
+
+TEST(PlaceOfOneAxis, StandsForTwoWhereTheOtherIsReadNowhere) {
+    const auto told = [](const std::string& second, const std::string& last) {
+        return lines_raised("MAC215", "O9217\n#10=#5221-#501\n" + second +
+                                          "\n#5241=#501+#10*COS[#1]-#11*SIN[#1]\n"
+                                          "#5242=#502+#10*SIN[#1]+#11*COS[#1]\n" +
+                                          last + "\nG55\nM99\n");
+    };
+    EXPECT_THAT(told("#11=#5221-#502", "#5243=#5223"), ElementsAre(3));
+    EXPECT_THAT(told("#11=#5222-#502", "#5243=#5223"), IsEmpty());
+    EXPECT_THAT(told("#11=#5221-#502", "#503=#5222"), IsEmpty()) << "it knows the place of Y";
+    EXPECT_THAT(told("#11=#5221-#501", "#5243=#5223"), IsEmpty()) << "nothing goes on to the next";
+}
+
 TEST(LateLift, MovesAsideBeforeIt) {
     const auto told = [](const std::string& between) {
         return lines_raised("MAC555", "O0511\nG21G17G90G54G0X0Y0\nG43H3Z2.\nG1Z-6.F120.\nX50.F300.\n" +
@@ -75,7 +124,13 @@ TEST(LateLift, MovesAsideBeforeIt) {
     };
     EXPECT_THAT(told("G0X0Y40.\nZ2.\nG1Z-6.F120.\nX50.F300.\nG0Z50.\n"), ElementsAre(6));
     EXPECT_THAT(told("G0Z2.\nX0Y40.\nG1Z-6.F120.\nX50.F300.\nG0Z50.\n"), IsEmpty());
-    EXPECT_THAT(told("G0X90.\nZ50.\n"), IsEmpty()); // it leaves the part at its side
+    EXPECT_THAT(told("G0X90.\nZ50.\n"), IsEmpty());          // it leaves the part at its side
+    EXPECT_THAT(told("G0X90.Y40.\nZ50.\n"), ElementsAre(6)); // across the part
+    EXPECT_THAT(told("G0X0Y0\nZ50.\n"), IsEmpty());          // where it came down
+    EXPECT_THAT(told("G0X90.Y40.Z50.\n"), IsEmpty());
+    EXPECT_THAT(told("G0G40X90.Y40.\nZ50.\n"), IsEmpty()); // it leaves an outline
+    EXPECT_THAT(told("G1G41D3Y40.\nX20.\nG40Y50.\nG0X90.Y40.\nZ50.\n"), IsEmpty());
+    EXPECT_THAT(told("G1Y40.\nG0X90.Y40.\nX0Y0\nZ50.\n"), IsEmpty());
     EXPECT_THAT(told("G91G28X0Y0\nG28Z0\n"), ElementsAre(6));
     EXPECT_THAT(told("G91G28Z0\nG28X0Y0\n"), IsEmpty());
     const std::string called = "O8513\nG90G0Z1.\nG1Z-5.F90.\nG91X4.F250.\nX-4.\nG90\n";
@@ -94,6 +149,8 @@ TEST(ArcWithLettersOfAnotherPlane, SaysZero) {
     EXPECT_THAT(told("G18", "G3X0Z0I5.K0"), IsEmpty());
     EXPECT_THAT(told("G18", "G3X0Y0I5.J0"), ElementsAre(5));
     EXPECT_THAT(told("G17", "G3X0Y0I5.J0"), IsEmpty());
+    EXPECT_THAT(told("G19", "G3X0Z0I#1K0"), ElementsAre(5)) << "whatever #1 is";
+    EXPECT_THAT(told("G19", "G3X0Z0I#1K#2"), IsEmpty()) << "a pitch beside a centre";
     const std::string lathe = "O0352\nG28U0W0\nT0404\nG50S3000\nG96S150M3\nG0X0Z0\nG3X10.Z-5.I0";
     EXPECT_THAT(lines_raised("MAC522", lathe + "J-5.F.1\nM30\n"), ElementsAre(7));
     EXPECT_THAT(lines_raised("MAC522", lathe + "K-5.F.1\nM30\n"), IsEmpty());

@@ -23,6 +23,7 @@ struct BlockWords {
     bool others = false; ///< but G, N and R
 
     bool g92 = false, g32 = false, g33 = false;
+    bool g90 = false, move = false;
     bool turning_a = false; ///< G90, G94: a turning cycle of A where axes stand beside it
     bool turning_b = false; ///< G77 to G79
     bool turning_c = false; ///< G20, G21, G24: as G90 of A
@@ -35,9 +36,10 @@ struct BlockWords {
 };
 
 struct Signs {
-    bool mill = false;     ///< Y, G17, G19, G43, G49, M6
-    bool distance = false; ///< G91, which system A has not
-    bool turning = false;  ///< G50 S, G96, G70-G73 P Q, G74 R, G76 P020060
+    bool mill = false;          ///< Y, G17, G19, G43, G49, M6
+    bool distance = false;      ///< G91, which system A has not
+    bool absolute_move = false; ///< G90 beside G00 to G03: no turning cycle of A
+    bool turning = false;       ///< G50 S, G96, G70-G73 P Q, G74 R, G76 P020060
     bool surface_speed = false;
     bool incremental = false;             ///< U or W with X or Z elsewhere
     bool turret = false;                  ///< T0101
@@ -49,6 +51,7 @@ struct Signs {
                    (block.pecking && block.r && !block.others);
         const bool axes = block.x_or_z || block.u_or_w;
         const bool profile = block.p && block.q;
+        absolute_move |= block.g90 && block.move;
         a |= (block.g50 && block.s) || (block.feed_a && !block.hole) || (block.u_or_w && !block.own_u) ||
              (axes && block.f && (block.g92 || block.turning_a)) || (axes && block.g32);
         b |= (block.g92 && block.s && !axes) || (block.feed_bc && !axes) ||
@@ -76,6 +79,8 @@ void take_code(double code, BlockWords& block, Signs& signs) {
     block.g92 |= code == 92;
     block.g32 |= code == 32;
     block.g33 |= code == 33;
+    block.g90 |= code == 90;
+    block.move |= is(0, 3);
     block.turning_a |= code == 90 || code == 94;
     block.turning_b |= is(77, 79);
     block.turning_c |= is(20, 21) || code == 24;
@@ -165,17 +170,18 @@ Signs signs_in(std::string_view text) {
 
 } // namespace
 
-char lathe_system_of(std::string_view text, Machine machine) {
+MachineOfText machine_of(std::string_view text, Machine machine) {
     const Signs signs = signs_in(text);
     const char system = signs.system();
-    if (machine == Machine::lathe) return system;
-    if (signs.mill) return no_lathe;
-    if (system == 'A' && signs.distance) return no_lathe;
+    const bool has_distance_code = signs.distance || signs.absolute_move;
+    if (machine == Machine::lathe) return {system, {true, has_distance_code}};
+    if (signs.mill) return {no_lathe, {true, has_distance_code}};
     // What turns in A alone does not tell in the others, and a mill has G94 and G92 S, too.
     const bool turns = system == 'A'
                            ? signs.turning || signs.surface_speed || (signs.turret && signs.incremental)
                            : signs.turret || signs.surface_speed;
-    return turns ? system : no_lathe;
+    if (!turns || (system == 'A' && signs.distance)) return {no_lathe, {false, has_distance_code}};
+    return {system, {true, has_distance_code}};
 }
 
 } // namespace maclint::fanuc

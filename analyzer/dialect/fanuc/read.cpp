@@ -33,13 +33,6 @@ std::optional<std::int64_t> number_in(std::string_view name) {
     return std::ranges::all_of(digits, is_digit) ? read_integer(digits) : std::nullopt;
 }
 
-/// The control on the machine that the text is for.
-const ControlModel& control_for(const ControlModel& control, std::string_view text) {
-    if (control.lathes.empty()) return control;
-    const ControlModel* lathe = control.lathe_of(lathe_system_of(text, control.machine));
-    return lathe == nullptr ? control : *lathe;
-}
-
 constexpr std::array<bool, 256> bytes_of(std::string_view characters) {
     std::array<bool, 256> bytes{};
     for (const char c : characters) bytes[static_cast<unsigned char>(c)] = true;
@@ -281,8 +274,13 @@ class Family {
 } // namespace
 
 ProgramFile read(std::shared_ptr<const Source> source, const ControlModel& control, Extent extent) {
-    const ControlModel& actual = control_for(control, source->bytes());
-    return BlockReader<Family>(std::move(source), actual, extent).run();
+    const MachineOfText machine =
+        control.lathes.empty() ? MachineOfText{no_lathe, {}} : machine_of(source->bytes(), control.machine);
+    const ControlModel* lathe = control.lathe_of(machine.lathe_system);
+    ProgramFile file =
+        BlockReader<Family>(std::move(source), lathe == nullptr ? control : *lathe, extent).run();
+    file.machine_signs = machine.signs;
+    return file;
 }
 
 } // namespace maclint::fanuc

@@ -5,6 +5,7 @@
 #include "analyzer/queries/machine/skip_moves.hpp"
 #include "analyzer/queries/values/positions.hpp"
 
+#include <algorithm>
 #include <variant>
 
 namespace maclint::queries {
@@ -50,6 +51,15 @@ const StoredPosition* StoredPositions::in(ExpressionId expression) const {
     const auto* load = std::get_if<Load>(&program_.expressions[expression].node);
     const auto found = load == nullptr ? stored_.end() : stored_.find(load->variable);
     return found == stored_.end() || !found->second ? nullptr : &*found->second;
+}
+
+std::vector<std::pair<Variable, StoredPosition>> StoredPositions::shared() const {
+    std::vector<std::pair<Variable, StoredPosition>> found;
+    for (const auto& [variable, position] : stored_)
+        if (position && program_.control->spaces[variable.space].scope != Scope::frame)
+            found.emplace_back(variable, *position);
+    std::ranges::sort(found, {}, [](const auto& stored) { return stored.second.effect; });
+    return found;
 }
 
 } // namespace maclint::queries

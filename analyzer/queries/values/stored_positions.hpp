@@ -8,6 +8,8 @@
 #include <cstdint>
 #include <optional>
 #include <unordered_map>
+#include <utility>
+#include <vector>
 
 namespace maclint::queries {
 
@@ -27,6 +29,9 @@ class StoredPositions {
     /// What the variable that is the expression holds; nullptr for all other expressions, and for variables
     /// that are set twice or to anything else.
     [[nodiscard]] const StoredPosition* in(ExpressionId expression) const;
+
+    /// All of them that variables hold which programs share, in the order of the text.
+    [[nodiscard]] std::vector<std::pair<Variable, StoredPosition>> shared() const;
 
   private:
     const Program& program_;
