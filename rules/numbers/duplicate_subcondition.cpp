@@ -1,5 +1,6 @@
 //! MAC719: the same test twice.
 #include "analyzer/dataflow/facts/condition.hpp"
+#include "analyzer/dialect/ascii.hpp"
 #include "analyzer/queries/conditions/repeated_tests.hpp"
 #include "rules/path.hpp"
 #include "rules/rule.hpp"
@@ -77,8 +78,8 @@ namespace {
 bool sets_the_same(const Program& program, EffectId first, EffectId second) {
     const auto* guarded = std::get_if<Guarded>(&program.effects[second].what);
     return guarded != nullptr && guarded->effects.count == 1 &&
-           program.slice(program.effects[guarded->effects.first].span) ==
-               program.slice(program.effects[first].span);
+           without_blanks(program.slice(program.effects[guarded->effects.first].span)) ==
+               without_blanks(program.slice(program.effects[first].span));
 }
 
 void check(const ProgramAnalysis& analysis, Reporter& reporter) {

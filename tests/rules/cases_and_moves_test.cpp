@@ -237,6 +237,9 @@ TEST(AddressTwice, IsOneNumber) {
 TEST(TestTwice, IsACopy) {
     const std::string text = "O1\nIF[#853GT24.75]THEN#605=30.\nIF[#853GT24.75]THEN#605=3";
     EXPECT_THAT(judged("MAC719", text + "0.\nG0X#605\nM30\n"), ElementsAre("note 3"));
+    const std::string wide =
+        "O1\nIF[#853GT24.75]THEN#605=30.\nIF[#853GT24.75]THEN #605 = 30.\nG0X#605\nM30\n";
+    EXPECT_THAT(judged("MAC719", wide), ElementsAre("note 3"));
     EXPECT_THAT(judged("MAC719", text + "5.\nG0X#605\nM30\n"), ElementsAre("warning 3"));
 }
 
