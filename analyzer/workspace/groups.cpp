@@ -1,7 +1,7 @@
 //! Sets of files, joined call by call.
 #include "analyzer/workspace/groups.hpp"
 
-#include "analyzer/workspace/resolve.hpp"
+#include "analyzer/workspace/calls_of_files.hpp"
 
 #include <numeric>
 #include <unordered_map>
@@ -35,22 +35,17 @@ class Sets {
 } // namespace
 
 std::vector<std::vector<std::size_t>> groups_of(std::span<const FileOutline> files) {
-    std::vector<std::size_t> file_of; // by program
-    for (std::size_t file = 0; file < files.size(); ++file)
-        file_of.insert(file_of.end(), files[file].programs.size(), file);
+    const std::vector<std::size_t> file_of = files_of_programs(files);
     const CallResolver resolver(files);
     Sets sets(files.size());
     std::unordered_map<const NamesakeList*, std::size_t>
         joined; ///< lists, each with a file that it belongs to
-    for (std::size_t file = 0; file < files.size(); ++file)
-        for (const ProgramOutline& program : files[file].programs)
-            for (const CallOutline& call : program.calls)
-                for (const auto& namesakes : resolver.resolve(file, program, call).nearest) {
-                    const auto [before, fresh] = joined.try_emplace(namesakes.get(), file);
-                    sets.join(file, before->second);
-                    if (!fresh) continue;
-                    for (const ProgramIndex meant : *namesakes) sets.join(file, file_of[meant]);
-                }
+    for_each_called_list(resolver, files, [&](std::size_t file, const NamesakeList& namesakes) {
+        const auto [before, fresh] = joined.try_emplace(&namesakes, file);
+        sets.join(file, before->second);
+        if (!fresh) return;
+        for (const ProgramIndex meant : namesakes) sets.join(file, file_of[meant]);
+    });
     std::vector<std::vector<std::size_t>> by_first(files.size());
     for (std::size_t file = 0; file < files.size(); ++file) by_first[sets.find(file)].push_back(file);
     std::erase_if(by_first, [](const auto& group) { return group.empty(); });

@@ -60,6 +60,17 @@ std::set<ExpressionId> vacancy_tests(const Program& program) {
     return reads;
 }
 
+/// Adds the numbers of arguments that these reads take, and takes out those of variables that others take.
+void take_arguments(const Program& program, const std::set<ExpressionId>& reads,
+                    std::set<std::int64_t>& numbers) {
+    for (const ExpressionId id : reads)
+        if (const auto* load = std::get_if<Load>(&program.expressions[id].node))
+            if (program.is_formal(load->variable)) numbers.insert(load->variable.number);
+    for (ExpressionId id = 0; id < program.expressions.size(); ++id)
+        if (const auto* load = std::get_if<Load>(&program.expressions[id].node); load && !reads.contains(id))
+            numbers.erase(load->variable.number);
+}
+
 /// The numbers of variables that the program sets, or asks for as arguments, and never reads. Whether they
 /// are there it may ask.
 std::set<std::int64_t> numbers_in_vain(const Program& program) {
@@ -69,30 +80,20 @@ std::set<std::int64_t> numbers_in_vain(const Program& program) {
         if (const auto* assign = std::get_if<Assign>(&effect.what))
             if (const auto* target = std::get_if<Variable>(&assign->target))
                 if (!program.is_formal(*target)) numbers.insert(target->number);
-    for (const ExpressionId id : tests)
-        if (const auto* load = std::get_if<Load>(&program.expressions[id].node))
-            if (program.is_formal(load->variable)) numbers.insert(load->variable.number);
-    for (ExpressionId id = 0; id < program.expressions.size(); ++id)
-        if (const auto* load = std::get_if<Load>(&program.expressions[id].node); load && !tests.contains(id))
-            numbers.erase(load->variable.number);
+    take_arguments(program, tests, numbers);
     return numbers;
 }
 
 /// The numbers of arguments that the program compares, or asks for being there, and does nothing else with.
 std::set<std::int64_t> numbers_only_asked(const Program& program) {
     std::set<ExpressionId> asked = vacancy_tests(program);
-    std::set<std::int64_t> numbers;
     for (const Expression& expression : program.expressions) {
         const auto* test = std::get_if<Apply>(&expression.node);
         if (test != nullptr && semantics::is_comparison(test->operation))
             for (const ExpressionId operand : program.operands_of(*test)) asked.insert(operand);
     }
-    for (const ExpressionId id : asked)
-        if (const auto* load = std::get_if<Load>(&program.expressions[id].node))
-            if (program.is_formal(load->variable)) numbers.insert(load->variable.number);
-    for (ExpressionId id = 0; id < program.expressions.size(); ++id)
-        if (const auto* load = std::get_if<Load>(&program.expressions[id].node); load && !asked.contains(id))
-            numbers.erase(load->variable.number);
+    std::set<std::int64_t> numbers;
+    take_arguments(program, asked, numbers);
     return numbers;
 }
 

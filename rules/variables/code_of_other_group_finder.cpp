@@ -4,7 +4,6 @@
 #include "analyzer/program/tables.hpp"
 
 #include <algorithm>
-#include <cstddef>
 #include <optional>
 #include <utility>
 #include <variant>
@@ -12,30 +11,14 @@
 namespace maclint::rules {
 namespace {
 
-bool has_code(const ModalGroup& group, double code) {
-    return group.letter == 'G' &&
-           std::ranges::find(group.members, code, &ModalMember::number) != group.members.end();
-}
-
 /// Canned cycles and moves are of one group on some machines.
 bool is_motion(const ModalGroup& group) {
     return group.role == ModalRole::motion || group.role == ModalRole::cycle;
 }
 
-/// The only group that the code is of; nothing where there are several, or none.
-std::optional<GroupId> only_group_of(const ControlModel& control, double code) {
-    std::optional<GroupId> found;
-    for (std::size_t id = 0; id < control.groups.size(); ++id) {
-        if (!has_code(control.groups[id], code)) continue;
-        if (found) return std::nullopt;
-        found = static_cast<GroupId>(id);
-    }
-    return found;
-}
-
 bool may_hold(const ControlModel& control, GroupId id, double code) {
     const ModalGroup& group = control.groups[id];
-    return group.letter != 'G' || group.members.empty() || has_code(group, code);
+    return group.letter != 'G' || group.members.empty() || control.group_of(group.letter, code) == id;
 }
 
 std::optional<CodeOfOtherGroup> look_at(const ProgramAnalysis& analysis,
@@ -51,7 +34,7 @@ std::optional<CodeOfOtherGroup> look_at(const ProgramAnalysis& analysis,
     const bool some_may = std::ranges::any_of(control.lathes, [&](const ControlModel* lathe) {
         return may_hold(*lathe, load->group, code->value);
     });
-    const auto other = some_may ? std::nullopt : only_group_of(control, code->value);
+    const auto other = some_may ? std::nullopt : control.group_of('G', code->value);
     if (!other || (is_motion(control.groups[load->group]) && is_motion(control.groups[*other])))
         return std::nullopt;
     const auto meant = control.variable_of(*other);

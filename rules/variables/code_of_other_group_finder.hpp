@@ -19,7 +19,7 @@ struct CodeOfOtherGroup {
 };
 
 /// Comparisons by EQ or NE of a modal code with a number that is no code of its group, on no machine
-/// that the control may stand on, and one of exactly one other group.
+/// that the control may stand on, and one of another group.
 [[nodiscard]] std::vector<CodeOfOtherGroup> find_codes_of_other_groups(const ProgramAnalysis& analysis);
 
 } // namespace maclint::rules

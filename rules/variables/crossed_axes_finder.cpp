@@ -89,6 +89,15 @@ bool is_next(Variable variable, Variable next) {
     return variable.space == next.space && next.number == variable.number + 1;
 }
 
+bool goes_on(const Operands& operands) { return is_next(operands.of_first, operands.of_second); }
+
+/// Whether each variable of the first stands in the second, too, or the next one does.
+bool stay_or_go_on(const Pair& pair) {
+    return std::ranges::all_of(pair.operands(), [](const Operands& operands) {
+        return operands.of_first == operands.of_second || goes_on(operands);
+    });
+}
+
 /// Whether the letters of two axes set them.
 bool are_axes(const Program& program, Variable first, Variable second) {
     const auto a = program.control->letter_of(first);
@@ -102,11 +111,8 @@ bool are_axes(const Program& program, Variable first, Variable second) {
 /// Both take the place of one axis where they set offsets of two, or take other places of two.
 std::optional<CrossedStatements> crossed_places(const Program& program, const Pair& pair,
                                                 const Statement& one, const Statement& two) {
-    const bool follow = std::ranges::all_of(pair.operands(), [](const Operands& operands) {
-        return operands.of_first == operands.of_second || is_next(operands.of_first, operands.of_second);
-    });
     const bool for_axes = one.axis != 0 && two.axis == one.axis + 1;
-    if (!follow || !for_axes || pair.of_one_axis().size() != 1) return std::nullopt;
+    if (!stay_or_go_on(pair) || !for_axes || pair.of_one_axis().size() != 1) return std::nullopt;
     const Operands& place = pair.of_one_axis().front();
     const auto* load = std::get_if<LoadMachine>(&program.expressions[place.first].node);
     const std::int32_t axis = axis_of(program, load->family, load->number);
@@ -141,13 +147,7 @@ bool is_read(const Program& program, FamilyId family, std::int32_t number) {
 std::optional<CrossedStatements> one_place_for_two(const Program& program, const Pair& pair,
                                                    const Statement& one, const Statement& two) {
     if (one.axis != 0 || pair.of_one_axis().size() != 1) return std::nullopt;
-    const auto goes_on = [](const Operands& operands) {
-        return is_next(operands.of_first, operands.of_second);
-    };
-    const bool follow = std::ranges::all_of(pair.operands(), [&](const Operands& operands) {
-        return operands.of_first == operands.of_second || goes_on(operands);
-    });
-    if (!follow || std::ranges::none_of(pair.operands(), goes_on)) return std::nullopt;
+    if (!stay_or_go_on(pair) || std::ranges::none_of(pair.operands(), goes_on)) return std::nullopt;
     const Operands& place = pair.of_one_axis().front();
     const auto* load = std::get_if<LoadMachine>(&program.expressions[place.first].node);
     const std::int32_t next = axis_of(program, load->family, load->number) + 1;

@@ -115,6 +115,10 @@ TEST(PlaceOfOneAxis, StandsForTwoWhereTheOtherIsReadNowhere) {
     EXPECT_THAT(told("#11=#5222-#502", "#5243=#5223"), IsEmpty());
     EXPECT_THAT(told("#11=#5221-#502", "#503=#5222"), IsEmpty()) << "it knows the place of Y";
     EXPECT_THAT(told("#11=#5221-#501", "#5243=#5223"), IsEmpty()) << "nothing goes on to the next";
+    EXPECT_THAT(lines_raised("MAC215", "O9239\n#10=#5221-#501+#520\n#11=#5221-#502+#540\n"
+                                       "#5241=#501+#10\n#5242=#502+#11\n#5243=#5223\nG55\nM99\n"),
+                IsEmpty())
+        << "two numbers of one axis";
 }
 
 TEST(LateLift, MovesAsideBeforeIt) {

@@ -39,6 +39,10 @@ TEST(LathesOfCallers, AreHandedOnOverOthersAndRoundCycles) {
                                               file(3, mill, not_shown)}),
                 ElementsAre(none, none, none))
         << "a file that shows a mill hands on its own";
+    EXPECT_THAT(lathes_of_callers(std::vector{file(1, 'B', shown, {2}), file(2, 'A', shown, {3}),
+                                              file(3, mill, not_shown)}),
+                ElementsAre(none, none, 'A'))
+        << "and nothing else";
 }
 
 TEST(LathesOfCallers, AreNoneWhereTheyAreOfTwoKinds) {
